@@ -1,0 +1,94 @@
+// The timeline: everything that moves, and its state at a frame as a pure function of the frame number.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+#include <vector>
+
+#include "anim/time_base.hpp"
+#include "anim/track.hpp"
+#include "host/math/projection.hpp"
+
+namespace morphcl {
+
+// A node of the hierarchy. node -> parent is translation * rotation * scale * static_transform; a track, where there is
+// one, replaces the constant beside it.
+struct Node {
+  std::string name;
+  int parent = -1;                   // index into Timeline::nodes, -1 for a root
+  glm::dmat4 static_transform{1.0};  // a shot's transform steps, or a glTF matrix
+  glm::dvec3 translation{0.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  // w x y z
+  glm::dvec3 scale{1.0};
+  Track translation_track, rotation_track, scale_track;  // width 3, 4 (rotation), 3
+  Track visible_track;                                   // width 1; visible where >= 0.5; a node hides what is below it
+};
+
+// The morph weights of one object. Tracks are applied in order; a later one overrides an earlier one.
+struct WeightTrack {
+  int first_target = 0;  // the track's width() components drive targets first_target, first_target + 1, ...
+  Track track;
+};
+struct MorphWeights {
+  std::vector<double> weights;  // one a target of the object's mesh; the value where no track drives it
+  std::vector<WeightTrack> tracks;
+};
+
+// Where a camera looks from. With node >= 0 the camera sits in that node's frame looking down its -z (glTF) and
+// eye/target/up are not used.
+struct Camera {
+  Projection projection = Perspective{};
+  int node = -1;
+  glm::dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
+  Track eye_track, target_track, up_track;      // width 3
+  Track fovy_track, near_track, far_track;      // width 1
+};
+
+enum class LightKind { directional, point };
+
+// A directional light's `vector` points from the scene towards the light; a point light's is its world position. Colour
+// is scene-linear and includes the intensity; a point light does not fall off with distance unless `falloff`.
+struct Light {
+  LightKind kind = LightKind::directional;
+  glm::dvec3 vector{0, 0, 1};
+  glm::dvec3 color{1.0};
+  bool falloff = false;  // divide by squared distance
+  Track vector_track, color_track;  // width 3
+};
+
+struct Timeline {
+  TimeBase time;
+  std::vector<Node> nodes;            // parents may come in any order; validate() refuses cycles
+  std::vector<MorphWeights> weights;  // one an object of the scene, in the scene's order
+  Camera camera;
+  std::vector<Light> lights;
+  glm::dvec3 ambient{0.05};
+
+  void validate() const;  // Error(bad_input): parent out of range, a cycle (names its nodes), track of the wrong width
+};
+
+struct CameraState {
+  Projection projection;
+  glm::dmat4 world_to_eye{1.0};
+  bool up_replaced = false;
+};
+struct LightState {
+  LightKind kind;
+  glm::dvec3 vector;  // directional: unit length
+  glm::dvec3 color;
+  bool falloff;
+};
+struct FrameState {
+  std::int64_t frame = 0;
+  std::vector<glm::dmat4> node_to_world;
+  std::vector<char> node_visible;
+  std::vector<std::vector<double>> weights;
+  CameraState camera;
+  std::vector<LightState> lights;
+  glm::dvec3 ambient{0.05};
+};
+
+FrameState evaluate(const Timeline& timeline, std::int64_t frame);
+
+}  // namespace morphcl

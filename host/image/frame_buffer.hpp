@@ -1,0 +1,45 @@
+// A rendered frame in host memory: planar half R, G, B, A and float Z.
+//
+// Rows run from top to bottom; row y starts at element y * row_pitch(). row_pitch is the width rounded up to whole tiles
+// (64 pixels) and rows are rounded up likewise, so that kernels store whole vectors; what lies outside width x height is
+// padding without meaning. Planes are page-aligned so that OpenCL can use them in place. Planes that were not asked for
+// are not allocated.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace morphcl {
+
+class FrameBuffer {
+ public:
+  FrameBuffer(int width, int height, bool color, bool depth);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::size_t row_pitch() const { return row_pitch_; }
+  std::size_t plane_elements() const { return row_pitch_ * padded_rows_; }
+  bool has_color() const { return color_[0] != nullptr; }
+  bool has_depth() const { return depth_ != nullptr; }
+
+  // channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE binary16. Colour is premultiplied by alpha.
+  std::uint16_t* color(int channel) { return color_[channel].get(); }
+  const std::uint16_t* color(int channel) const { return color_[channel].get(); }
+  // Positive distance along the view axis; background 1e10.
+  float* depth() { return depth_.get(); }
+  const float* depth() const { return depth_.get(); }
+
+ private:
+  struct Free {
+    void operator()(void* p) const;
+  };
+  int width_, height_;
+  std::size_t row_pitch_, padded_rows_;
+  std::unique_ptr<std::uint16_t[], Free> color_[4];
+  std::unique_ptr<float[], Free> depth_;
+};
+
+constexpr float background_depth = 1e10f;
+
+}  // namespace morphcl
