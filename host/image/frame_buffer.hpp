@@ -1,9 +1,10 @@
 // A rendered frame in host memory: planar half R, G, B, A and float Z.
 //
-// Rows run from top to bottom; row y starts at element y * row_pitch(). row_pitch is the width rounded up to whole tiles
-// (64 pixels) and rows are rounded up likewise, so that kernels store whole vectors; what lies outside width x height is
-// padding without meaning. Planes are page-aligned so that OpenCL can use them in place. Planes that were not asked for
-// are not allocated.
+// Rows run from top to bottom; row y starts at element y * row_pitch(). row_pitch is the width rounded up to whole
+// tiles (64 pixels) and rows are rounded up likewise, so that kernels store whole vectors; what lies outside width x
+// height is padding without meaning. Planes start on a page (planes of 2 MB and more on a huge page) so that OpenCL can
+// use them in place. Every element is 0 until it is written, and memory is only taken where something was written.
+// Planes that were not asked for are not allocated.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,10 @@ namespace morphcl {
 
 class FrameBuffer {
  public:
+  // Pixels a side. A plane of the largest frame holds 2^30 elements.
+  static constexpr int max_side = 32768;
+
+  // Error(bad_input) for a side outside 1..max_side, Error(internal) when the memory cannot be had.
   FrameBuffer(int width, int height, bool color, bool depth);
 
   int width() const { return width_; }
@@ -31,13 +36,17 @@ class FrameBuffer {
   const float* depth() const { return depth_.get(); }
 
  private:
-  struct Free {
-    void operator()(void* p) const;
+  struct Unmap {
+    std::size_t bytes;
+    void operator()(void* plane) const;
   };
+  template <class T>
+  static std::unique_ptr<T[], Unmap> map_plane(std::size_t elements);
+
   int width_, height_;
-  std::size_t row_pitch_, padded_rows_;
-  std::unique_ptr<std::uint16_t[], Free> color_[4];
-  std::unique_ptr<float[], Free> depth_;
+  std::size_t row_pitch_ = 0, padded_rows_ = 0;
+  std::unique_ptr<std::uint16_t[], Unmap> color_[4];
+  std::unique_ptr<float[], Unmap> depth_;
 };
 
 constexpr float background_depth = 1e10f;
