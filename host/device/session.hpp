@@ -48,8 +48,8 @@ class Session {
   const cl::Context& context() const;
   const cl::CommandQueue& queue() const;  // in order
 
-  // A kernel of the embedded program `stage` ("bin_triangles" for kernels/bin_triangles.cl), built on first use from the
-  // cached binary, else from source. Thread-safe. Errors name the stage and hold the first line of the build log.
+  // A kernel of the embedded program `stage` ("bin_triangles" for kernels/bin_triangles.cl), built on first use from
+  // the cached binary, else from source. Thread-safe. Errors name the stage and hold the first line of the build log.
   cl::Kernel kernel(const std::string& stage, const std::string& kernel_name);
 
   // Stores the binaries of programs that were built from source, now that their work-group functions exist. Called once

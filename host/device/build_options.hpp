@@ -1,0 +1,14 @@
+// The options that every kernel is compiled with.
+#pragma once
+
+#include <string>
+
+#include "host/device/opencl.hpp"
+
+namespace morphcl {
+
+// OpenCL C 1.2; correctly rounded division and square root where the device has them (the self-test finds out about the
+// others); MORPHCL_NONTEMPORAL where the compiler knows clang's non-temporal stores. Nothing that relaxes arithmetic.
+std::string build_options(const cl::Device& device, const cl::Platform& platform);
+
+}  // namespace morphcl
