@@ -1,5 +1,6 @@
 # Writes OUTPUT, a C++ file that holds every kernels/*.cl as text, headers included in place, ready to compile on a device.
 # Usage: cmake -D SOURCE_DIR=kernels -D OUTPUT=kernel_sources.cpp -P EmbedKernels.cmake
+cmake_minimum_required(VERSION 3.25)
 file(GLOB stages "${SOURCE_DIR}/*.cl")
 list(SORT stages)
 
