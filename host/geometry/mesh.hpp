@@ -34,7 +34,8 @@ struct Mesh {
 // 2^31 vertices. The message names the array and the element.
 void validate(const Mesh& mesh);
 
-std::vector<glm::uvec2> distinct_edges(const std::vector<glm::uvec3>& triangles);  // each once, smaller index first, sorted
+std::vector<glm::uvec2> distinct_edges(
+    const std::vector<glm::uvec3>& triangles);  // each once, smaller index first, sorted
 
 // The distinct edges if `edges` is empty, else `edges`.
 std::vector<glm::uvec2> wireframe_edges(const Mesh& mesh);

@@ -1,0 +1,67 @@
+// Bounds of meshes: axis-aligned boxes and spheres, also of a mesh under any morph weights without touching its
+// vertices.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+#include "host/geometry/mesh.hpp"
+
+namespace morphcl {
+
+// All x with lower <= x <= upper, componentwise. The default box is empty.
+struct Box {
+  glm::dvec3 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
+
+  bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+  bool contains(const glm::dvec3& point) const;
+  glm::dvec3 center() const { return 0.5 * lower + 0.5 * upper; }  // of a box that is not empty
+  glm::dvec3 corner(int i) const;  // i = 0..7: bit 0 takes upper.x, bit 1 upper.y, bit 2 upper.z
+  void include(const glm::dvec3& point);
+  void include(const Box& other);
+};
+
+Box intersection(const Box& a, const Box& b);
+Box box_of(const std::vector<glm::vec3>& points);
+// Contains the image of every point of `box` under the affine `matrix`; empty for an empty box.
+Box transformed(const Box& box, const glm::dmat4& matrix);
+
+struct Sphere {
+  glm::dvec3 center{0.0};
+  double radius = 0;
+};
+// Around the box: its centre, half its diagonal. A box that is not empty.
+Sphere sphere_of(const Box& box);
+
+struct Interval {
+  double lower = 0, upper = 0;
+};
+
+// What is known about a mesh's bounds once its vertices were read: O(vertices x targets) to build, O(targets) to use.
+class MorphBounds {
+ public:
+  explicit MorphBounds(const Mesh& mesh);
+
+  const Box& base() const { return base_; }
+
+  // Contains every vertex of the mesh morphed by these weights (one a target), as computed in fp32 by any renderer.
+  Box at(const std::vector<double>& weights) const;
+
+  // The same for every choice of weights within the intervals.
+  //
+  // Method: interval arithmetic on both readings of the morph, base + sum w (target - base) and (1 - sum w) base + sum
+  // w target; each contains the mesh, so their intersection does. The result is widened by the rounding of the
+  // renderer's sum of n + 1 products: (n + 2) ulp of the largest sum of magnitudes.
+  Box at(const std::vector<Interval>& weights) const;
+
+ private:
+  struct Target {
+    Box positions, deltas;
+  };
+  Box base_;
+  std::vector<Target> targets_;
+};
+
+}  // namespace morphcl
