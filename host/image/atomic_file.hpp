@@ -1,0 +1,26 @@
+// Files that stand under their name whole or not at all.
+//
+// The bytes go to ".NAME.HOST.PID.N.morphcl-tmp" in the same folder, are flushed to the disk and renamed; the folder is
+// flushed after that. A process that is killed leaves at most such a temporary file behind, and holds a lock on it
+// while it lives, so that another process can tell.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace morphcl {
+
+// Makes missing folders. Error(cannot_create) when a folder or the file cannot be made, or when `path` is there and is
+// not a regular file (a device is never replaced); Error(write_failed) when not all bytes reach the disk, with the
+// system's reason. After an error nothing is left behind and an older file of that name still stands.
+void write_file_atomically(const std::string& path, std::span<const char> bytes);
+
+// Makes the folder of `path`, makes a temporary file for it and removes that again: throws what
+// write_file_atomically(path, ...) would throw before its first byte.
+void check_can_create(const std::string& path);
+
+// Removes the temporary files in the folder of `path_prefix` that belong to names beginning with it, whose process (of
+// this host) is gone. Returns how many there were. Never throws: what cannot be removed stays.
+int remove_stale_temporaries(const std::string& path_prefix);
+
+}  // namespace morphcl

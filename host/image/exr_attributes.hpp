@@ -1,0 +1,27 @@
+// Frame attributes in the header of an OpenEXR file.
+#pragma once
+
+#include <ImfHeader.h>
+
+#include <string>
+
+#include "host/image/frame_attributes.hpp"
+
+namespace morphcl {
+
+// framesPerSecond, imageCounter, timeCode, worldToCamera, worldToNDC, screenWindowCenter/Width, chromaticities
+// (Rec.709), morphclFingerprint, pixelHash. timeCode counts whole seconds of round(fps) frames (no drop frame) and
+// wraps at 24 hours; it is left out where SMPTE has no number for it: below 1 or above 30 frames a second. Error(usage)
+// for a rate or a frame number outside OpenEXR's integers.
+void add_attributes(Imf::Header& header, const FrameAttributes& attributes, const std::string& pixel_hash);
+
+// What of it a header holds; the defaults of FrameAttributes for the rest.
+FrameAttributes attributes_of(const Imf::Header& header);
+
+// The text of a string attribute, "" where there is none.
+std::string text_attribute(const Imf::Header& header, const char* name);
+
+inline constexpr const char* fingerprint_attribute = "morphclFingerprint";
+inline constexpr const char* pixel_hash_attribute = "pixelHash";
+
+}  // namespace morphcl

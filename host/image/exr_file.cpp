@@ -1,0 +1,22 @@
+#include "host/image/exr_file.hpp"
+
+#include "host/error.hpp"
+#include "host/image/atomic_file.hpp"
+#include "host/image/exr_encode.hpp"
+
+namespace morphcl {
+
+std::string write_exr(const std::string& path, const FrameBuffer& frame, const FrameAttributes& attributes,
+                      const std::string& compression, int threads) {
+  // Kept from frame to frame: the first touch of fresh memory costs more than the encoding.
+  thread_local std::vector<char> bytes;
+  try {
+    const std::string hash = encode_exr(bytes, frame, attributes, compression, threads);
+    write_file_atomically(path, bytes);
+    return hash;
+  } catch (const Error& error) {
+    throw error.at(path);
+  }
+}
+
+}  // namespace morphcl

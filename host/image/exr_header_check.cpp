@@ -1,0 +1,139 @@
+#include "host/image/exr_header_check.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "host/error.hpp"
+#include "host/image/exr_compression.hpp"
+#include "host/image/frame_buffer.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::uint32_t magic_number = 20000630;
+constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 0x1000;
+constexpr std::size_t longest_name = 255;
+constexpr int most_channels = 1024;
+constexpr std::uint64_t table_entry_bytes = 8;
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
+
+// Reads the values of a header; numbers are little-endian.
+class HeaderBytes {
+ public:
+  explicit HeaderBytes(SizedInput& input) : input_(input) {}
+
+  std::uint64_t left() const { return input_.size() - input_.tellg(); }
+  std::uint64_t position() const { return input_.tellg(); }
+  void skip_to(std::uint64_t position) { input_.seekg(position); }
+
+  std::uint8_t byte() {
+    if (left() == 0) refuse("the file ends within its header");
+    char value = 0;
+    input_.read(&value, 1);
+    return static_cast<std::uint8_t>(value);
+  }
+  std::uint32_t word() {
+    std::uint32_t value = 0;
+    for (int shift = 0; shift < 32; shift += 8) value |= static_cast<std::uint32_t>(byte()) << shift;
+    return value;
+  }
+  std::int64_t signed_word() { return static_cast<std::int32_t>(word()); }
+  std::string name() {
+    std::string text;
+    while (const std::uint8_t c = byte()) {
+      if (text.size() == longest_name) refuse(fmt::format("a name of more than {} bytes", longest_name));
+      text += static_cast<char>(c);
+    }
+    return text;
+  }
+
+ private:
+  SizedInput& input_;
+};
+
+struct Part {
+  std::int64_t lines = 0;
+  int lines_a_chunk = 0;
+  bool scan_lines = true;
+};
+
+void check_side(std::string_view what, std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t most = FrameBuffer::max_side;
+  if (width < 1 || height < 1 || width > most || height > most)
+    refuse(fmt::format("a {} of {} x {} pixels; 1 to {} a side can be read", what, width, height, most));
+}
+
+void check_data_window(HeaderBytes& header, Part& part) {
+  std::array<std::int64_t, 4> box{};
+  for (std::int64_t& side : box) side = header.signed_word();
+  part.lines = box[3] - box[1] + 1;
+  check_side("data window", box[2] - box[0] + 1, part.lines);
+}
+
+void check_channels(HeaderBytes& header, std::uint64_t end) {
+  constexpr std::uint64_t bytes_after_name = 16;
+  for (int count = 0; !header.name().empty(); ++count) {
+    if (count == most_channels) refuse(fmt::format("more than {} channels", most_channels));
+    if (header.position() + bytes_after_name >= end) refuse("the channel list is cut off");
+    header.skip_to(header.position() + bytes_after_name);
+  }
+}
+
+// Returns false at the end of the part's header.
+bool check_attribute(HeaderBytes& header, Part& part) {
+  const std::string name = header.name();
+  if (name.empty()) return false;
+  const std::string type = header.name();
+  const std::int64_t size = header.signed_word();
+  if (size < 0 || static_cast<std::uint64_t>(size) > header.left())
+    refuse(fmt::format("attribute '{}' of {} bytes is longer than the file", name, size));
+  const std::uint64_t end = header.position() + static_cast<std::uint64_t>(size);
+  if (name == "dataWindow" && size == 16) check_data_window(header, part);
+  if (name == "channels") check_channels(header, end);
+  if (name == "compression" && size == 1)
+    part.lines_a_chunk = lines_per_chunk(static_cast<Imf::Compression>(header.byte()));
+  if (name == "tiles" && size == 9) {
+    const std::int64_t width = header.word(), height = header.word();
+    check_side("tile", width, height);
+    part.scan_lines = false;
+  }
+  if (name == "chunkCount" && size == 4) {
+    const std::int64_t chunks = header.signed_word();
+    if (chunks < 0 || static_cast<std::uint64_t>(chunks) > header.left() / table_entry_bytes)
+      refuse(fmt::format("{} chunks are more than the file can hold", chunks));
+  }
+  header.skip_to(end);
+  return true;
+}
+
+}  // namespace
+
+void check_exr_header(SizedInput& input) {
+  input.seekg(0);
+  HeaderBytes header(input);
+  constexpr std::uint64_t magic_and_version_bytes = 8;
+  if (header.left() < magic_and_version_bytes || header.word() != magic_number) refuse("is not an OpenEXR file");
+  const std::uint32_t version = header.word();
+  const bool plain = (version & (tiled_flag | deep_flag | multipart_flag)) == 0;
+  for (bool first = true;; first = false) {
+    Part part;
+    int attributes = 0;
+    while (check_attribute(header, part)) ++attributes;
+    if (plain && part.scan_lines && part.lines_a_chunk > 0) {
+      const std::int64_t chunks = (part.lines + part.lines_a_chunk - 1) / part.lines_a_chunk;
+      if (static_cast<std::uint64_t>(chunks) * table_entry_bytes > header.left())
+        refuse(fmt::format("the file ends within its table of {} chunks", chunks));
+    }
+    const bool more_parts = (version & multipart_flag) != 0 && attributes > 0;
+    if (first && attributes == 0) refuse("the header is empty");
+    if (!more_parts) break;
+  }
+  input.seekg(0);
+}
+
+}  // namespace morphcl

@@ -1,0 +1,20 @@
+#include "host/image/exr_planes.hpp"
+
+namespace morphcl {
+
+Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y) {
+  const Imath::Box2i window({first_x, first_y}, {first_x + frame.width() - 1, first_y + frame.height() - 1});
+  Imf::FrameBuffer slices;
+  const auto insert = [&](const char* name, Imf::PixelType type, auto* plane, double missing) {
+    slices.insert(
+        name, Imf::Slice::Make(type, plane, window, sizeof *plane, frame.row_pitch() * sizeof *plane, 1, 1, missing));
+  };
+  if (frame.has_color())
+    for (int channel = 0; channel < 4; ++channel)
+      insert(color_channel_names[static_cast<std::size_t>(channel)], Imf::HALF, frame.color(channel),
+             channel == 3 ? 1.0 : 0.0);
+  if (frame.has_depth()) insert(depth_channel_name, Imf::FLOAT, frame.depth(), 0.0);
+  return slices;
+}
+
+}  // namespace morphcl

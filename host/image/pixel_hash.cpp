@@ -1,0 +1,64 @@
+#include "host/image/pixel_hash.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <bit>
+#include <new>
+
+namespace morphcl {
+
+static_assert(std::endian::native == std::endian::little, "the hash is defined over little-endian values");
+
+namespace {
+
+std::string hex_digits(const XXH128_hash_t& hash) { return fmt::format("{:016x}{:016x}", hash.high64, hash.low64); }
+
+}  // namespace
+
+struct PixelHasher::State {
+  XXH3_state_t* xxh = XXH3_createState();
+  ~State() { XXH3_freeState(xxh); }
+};
+
+PixelHasher::PixelHasher() : state_(std::make_unique<State>()) {
+  if (state_->xxh == nullptr) throw std::bad_alloc();
+  XXH3_128bits_reset(state_->xxh);
+}
+
+PixelHasher::~PixelHasher() = default;
+
+void PixelHasher::begin_channel(std::string_view name, Type type, const Window& window) {
+  XXH3_128bits_update(state_->xxh, name.data(), name.size());
+  const char end_of_name = 0;
+  XXH3_128bits_update(state_->xxh, &end_of_name, 1);
+  const std::array<std::int32_t, 5> shape{static_cast<std::int32_t>(type), window.first_x, window.first_y,
+                                          window.last_x, window.last_y};
+  XXH3_128bits_update(state_->xxh, shape.data(), sizeof shape);
+}
+
+void PixelHasher::add_row(const void* values, std::size_t bytes) { XXH3_128bits_update(state_->xxh, values, bytes); }
+
+std::string PixelHasher::hex() const { return hex_digits(XXH3_128bits_digest(state_->xxh)); }
+
+std::string pixel_hash(const FrameBuffer& frame) {
+  PixelHasher hasher;
+  const PixelHasher::Window window{0, 0, frame.width() - 1, frame.height() - 1};
+  const auto add_plane = [&](std::string_view name, PixelHasher::Type type, const auto* plane) {
+    hasher.begin_channel(name, type, window);
+    for (int y = 0; y < frame.height(); ++y)
+      hasher.add_row(plane + static_cast<std::size_t>(y) * frame.row_pitch(),
+                     static_cast<std::size_t>(frame.width()) * sizeof *plane);
+  };
+  if (frame.has_color()) {
+    constexpr std::array<std::string_view, 4> names{"A", "B", "G", "R"};
+    constexpr std::array<int, 4> planes{3, 2, 1, 0};
+    for (std::size_t i = 0; i < names.size(); ++i) add_plane(names[i], PixelHasher::Type::half, frame.color(planes[i]));
+  }
+  if (frame.has_depth()) add_plane("Z", PixelHasher::Type::float_, frame.depth());
+  return hasher.hex();
+}
+
+std::string text_hash(std::string_view text) { return hex_digits(XXH3_128bits(text.data(), text.size())); }
+
+}  // namespace morphcl
