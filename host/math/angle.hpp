@@ -1,6 +1,8 @@
-// Sine and cosine of an angle in degrees, exact at every multiple of 90 degrees and with one reduction modulo 360 that is
-// itself exact, so that 1e15 + 30 degrees is as good as 30. Error of the general case: the host library's sin and cos of
-// an argument in [-45, 45] degrees plus one rounding of the conversion to radians: at most 2 ulp.
+// Sine and cosine of an angle in degrees, exact wherever they are rational (multiples of 90; 0.5 at 30 and 60) and with
+// sin = cos at 45. The one reduction modulo 360 is exact, so that 1e15 + 30 degrees is as good as 30.
+//
+// Error elsewhere: less than 1 ulp. The reduced angle is carried to radians with twice the precision, the Taylor series
+// of host/math/elementary.hpp does the rest, so the same bits come out on every IEEE machine.
 #pragma once
 
 namespace morphcl {
@@ -9,7 +11,11 @@ struct SinCos {
   double sin, cos;
 };
 
+// Error(usage) for a NaN or infinite angle.
 SinCos sin_cos_degrees(double degrees);
+
+// Conversions: the nearest double, or the one beside it.
 double radians(double degrees);
+double degrees(double radians);
 
 }  // namespace morphcl

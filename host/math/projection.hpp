@@ -28,11 +28,25 @@ struct Orthographic {
 
 using Projection = std::variant<Perspective, Frustum, Orthographic>;
 
-// Throws Error(usage) naming the parameter when the projection is degenerate or not finite.
+// Throws Error(usage) naming the parameter when the projection is degenerate or not finite. Mirrored volumes (left >
+// right, bottom > top) are refused: they would turn front faces into back faces unseen.
 void validate(const Projection& projection);
 
-// The OpenGL-style matrix. `aspect` is width / height of the image and is used by Perspective only.
+// The OpenGL-style matrix, each entry within 4u64 relative of the exact one. `aspect` is width / height of the
+// image, > 0, and is used by Perspective only. Error(usage) also when an entry overflows.
 glm::dmat4 projection_matrix(const Projection& projection, double aspect);
+
+// The same with reversed depth: NDC depth is 1 at near and 0 at far, which keeps its relative precision in floating
+// point at every distance. With an infinite far plane depth is near / w, exactly 1 on the near plane.
+glm::dmat4 reversed_depth_matrix(const Projection& projection, double aspect);
+
+// The vertical field of view that shows `fovx_degrees`, in (0, 180), across an image of the given width / height.
+double fovy_from_fovx_degrees(double fovx_degrees, double aspect);
+
+// Central projection from the eye (0, 0, eye_z) onto the plane z = 0, the drawing board's perspective: the image of
+// (x, y, z) is eye_z / (eye_z - z) times it. x and y are the picture; z keeps the order of depth and is 0 on the board.
+// w = eye_z - z, 0 or of the other sign than eye_z at and behind the eye. Error(usage) when eye_z is 0 or not finite.
+glm::dmat4 central_projection(double eye_z);
 
 double near_distance(const Projection& projection);
 double far_distance(const Projection& projection);

@@ -1,0 +1,52 @@
+#include "host/math/rotation.hpp"
+
+#include <cmath>
+
+#include "host/math/angle.hpp"
+#include "host/math/direction.hpp"
+
+namespace morphcl {
+
+namespace {
+
+// 1 - cos a without cancellation, and exactly 1 at 90 degrees and 2 at 180.
+double one_minus_cosine(double degrees, double cosine) {
+  if (cosine < 0.5) return 1 - cosine;
+  const double half_sine = sin_cos_degrees(0.5 * degrees).sin;
+  return 2 * half_sine * half_sine;
+}
+
+}  // namespace
+
+AxisRotation axis_rotation(const glm::dvec3& axis, double degrees) {
+  const glm::dvec3 n = unit(axis);
+  const SinCos angle = sin_cos_degrees(degrees);
+  const double versine = one_minus_cosine(degrees, angle.cos);
+
+  AxisRotation rotation;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    rotation.identity_minus[i][i] = versine * std::fma(n[j], n[j], n[k] * n[k]);
+    rotation.matrix[i][i] = 1 - rotation.identity_minus[i][i];
+    // Entries (row j, column i) and (row i, column j).
+    const double symmetric = versine * n[i] * n[j];
+    const double antisymmetric = angle.sin * n[k];
+    rotation.matrix[i][j] = symmetric + antisymmetric + 0.0;
+    rotation.matrix[j][i] = symmetric - antisymmetric + 0.0;
+    rotation.identity_minus[i][j] = 0.0 - rotation.matrix[i][j];
+    rotation.identity_minus[j][i] = 0.0 - rotation.matrix[j][i];
+  }
+  return rotation;
+}
+
+glm::dmat4 rotation_about_line(const glm::dvec3& point, const glm::dvec3& axis, double degrees) {
+  const AxisRotation rotation = axis_rotation(axis, degrees);
+  glm::dmat4 matrix(rotation.matrix);
+  for (int row = 0; row < 3; ++row) {
+    const glm::dmat3& m = rotation.identity_minus;
+    matrix[3][row] = std::fma(m[0][row], point.x, std::fma(m[1][row], point.y, m[2][row] * point.z)) + 0.0;
+  }
+  return matrix;
+}
+
+}  // namespace morphcl
