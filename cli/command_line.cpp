@@ -1,0 +1,188 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <new>
+
+#include "cli/console.hpp"
+#include "cli/devices_command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/info_command.hpp"
+#include "cli/plan_command.hpp"
+#include "cli/render_command.hpp"
+#include "cli/warm_command.hpp"
+#include "host/error.hpp"
+#include "host/version.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+constexpr int most_threads = 1024;
+
+using Action = std::function<int()>;
+
+const char* const examples = R"(Examples:
+  morphcl render demos/pyramid_to_cube.toml -o out/cube.####.exr
+  morphcl render shot.toml --frames 1-100x2 --size 1280x720 --resume
+  morphcl render face.glb --frames 0 --device reference --preview
+  morphcl plan shot.toml --frame 57
+  morphcl info out/cube.0057.exr
+
+Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
+69 no usable device, 73 the output cannot be created, 74 a write failed, 75 interrupted (run again with --resume).)";
+
+void add_scene_options(CLI::App& command, SceneOptions& scene) {
+  command.add_option("SCENE", scene.path, "Shot (.toml) or model (.gltf, .glb, .obj)")->required();
+  const auto image = [&command](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->group("Image");
+  };
+  image("--size", scene.size, "Pixels, 1 to 16384 each; default: the shot's, 1920x1080 for a model")->type_name("WxH");
+  image("--channels", scene.channels, "RGBA (half, premultiplied), Z (float); default: the shot's, RGBA,Z for a model")
+      ->type_name("LIST");
+  command
+      .add_option("--fps", scene.fps,
+                  "Frames per second, N or N/D, each 1 to 1000000; default: the shot's, 25 for a model")
+      ->type_name("RATE")
+      ->group("Time");
+  command.add_flag("--allow-outside", scene.allow_outside, "Let the shot or model use files outside its own folder")
+      ->group("Input");
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "One JSON object a line on stdout")->group("Report");
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  fmt::format("CPU threads, 1 to {}; default: SLURM_CPUS_PER_TASK, else what the process may use",
+                              most_threads))
+      ->check(CLI::Range(1, most_threads))
+      ->type_name("N")
+      ->group("Device");
+}
+
+void add_render(CLI::App& app, RenderOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR files");
+  add_scene_options(command, options.scene);
+  command
+      .add_option("-o,--output", options.pattern,
+                  "File names: #### or %04d is the frame number; default: NAME.####.exr in this folder")
+      ->type_name("PATTERN")
+      ->group("Output");
+  command
+      .add_option("--compression", options.scene.compression,
+                  "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab; default: the shot's, zip for a model")
+      ->type_name("NAME")
+      ->group("Image");
+  command.add_option("--frames", options.frames, "7, 1-10, 1-10x2, commas between; default: the shot's range")
+      ->type_name("RANGE")
+      ->group("Time");
+  command.add_option("--contact-sheet", options.contact_sheet, "One picture of all frames")
+      ->type_name("FILE.png")
+      ->group("Output");
+  command.add_flag("--preview", options.preview, "A PNG in sRGB beside each frame")->group("Output");
+  command.add_flag("--resume", options.resume, "Keep frames of the same shot and settings that are whole")
+      ->group("Output");
+  command.add_flag("--verify", options.verify, "Read every frame back and compare its pixels")->group("Output");
+  command
+      .add_option(
+          "--device", options.device.device,
+          "Index or part of a name (see morphcl devices), or reference (plain C++); default: the first CPU device")
+      ->type_name("NAME|INDEX")
+      ->group("Device");
+  add_threads_option(command, options.device.threads);
+  add_json_flag(command, options.json);
+  command.add_flag("--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
+  command.callback([&] { action = [&] { return render_command(options); }; });
+}
+
+void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("plan", "Show what a frame needs, what is left out, and why");
+  add_scene_options(command, options.scene);
+  command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
+      ->type_name("N")
+      ->group("Time");
+  add_json_flag(command, options.json);
+  command.callback([&] { action = [&] { return plan_command(options); }; });
+}
+
+void add_info(CLI::App& app, InfoOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("info", "Show what a shot, a model or an EXR image holds");
+  command.add_option("FILE", options.path, ".toml, .gltf, .glb, .obj or .exr")->required();
+  command.add_flag("--allow-outside", options.allow_outside, "Let the shot or model use files outside its own folder")
+      ->group("Input");
+  add_json_flag(command, options.json);
+  command.callback([&] { action = [&] { return info_command(options); }; });
+}
+
+void add_devices(CLI::App& app, DevicesOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("devices", "List OpenCL devices, self-test verdicts and limits");
+  add_threads_option(command, options.threads);
+  add_json_flag(command, options.json);
+  command.callback([&] { action = [&] { return devices_command(options); }; });
+}
+
+void add_warm(CLI::App& app, DeviceOptions& options, Action& action) {
+  CLI::App& command =
+      *app.add_subcommand("warm", "Compile and cache the kernels, so that the next render starts at once");
+  command
+      .add_option("--device", options.device,
+                  "Index or part of a name (see morphcl devices); default: the first CPU device")
+      ->type_name("NAME|INDEX")
+      ->group("Device");
+  add_threads_option(command, options.threads);
+  command.callback([&] { action = [&] { return warm_command(options); }; });
+}
+
+// What CLI11 found wrong as one line; --help and --version print to stdout and are no error.
+int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  print_message(printable(error.what()) + "; see morphcl --help");
+  return static_cast<int>(ErrorKind::usage);
+}
+
+int parse_and_run(int argc, char** argv) {
+  RenderOptions render;
+  PlanOptions plan;
+  InfoOptions info;
+  DevicesOptions devices;
+  DeviceOptions warm;
+  Action action;
+  CLI::App app("Renders keyframed morph and transform animations to OpenEXR on any OpenCL device.", "morphcl");
+  app.set_version_flag("--version", std::string("morphcl ") + version);
+  app.require_subcommand(1);
+  app.footer(examples);
+  add_render(app, render, action);
+  add_plan(app, plan, action);
+  add_info(app, info, action);
+  add_devices(app, devices, action);
+  add_warm(app, warm, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report_parse_error(app, error);
+  }
+  const int code = action();
+  check_results();
+  return code;
+}
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const Error& error) {
+    print_message(error.what());
+    return error.exit_code();
+  } catch (const std::bad_alloc&) {
+    print_message("out of memory; a smaller --size or mesh, or a machine with more memory");
+  } catch (const std::exception& error) {
+    print_message("internal error: " + printable(error.what()));
+  }
+  return static_cast<int>(ErrorKind::internal);
+}
+
+}  // namespace morphcl::cli

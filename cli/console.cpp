@@ -1,0 +1,42 @@
+#include "cli/console.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "host/error.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+bool environment_says(const char* name, std::string_view value) {
+  const char* found = std::getenv(name);
+  return found != nullptr && found == value;
+}
+}  // namespace
+
+void print_result(std::string_view line) { fmt::print(stdout, "{}\n", line); }
+
+void print_message(std::string_view line) { print_progress(fmt::format("morphcl: {}", line)); }
+
+void print_progress(std::string_view line) {
+  const std::string text = fmt::format("{}\n", line);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void check_results() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error(ErrorKind::write_failed, "stdout", "the results could not be written; send them to a place with room");
+}
+
+bool stderr_is_terminal() { return isatty(STDERR_FILENO) == 1 && !environment_says("TERM", "dumb"); }
+
+bool colors_wanted() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return stderr_is_terminal() && (no_color == nullptr || *no_color == '\0');
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,18 @@
+// stdout carries results, stderr everything else. A line is whole or not written: one call, one write.
+#pragma once
+
+#include <string_view>
+
+namespace morphcl::cli {
+
+void print_result(std::string_view line);    // to stdout, with a newline
+void print_message(std::string_view line);   // to stderr: "morphcl: LINE"
+void print_progress(std::string_view line);  // to stderr, as it is
+
+// Throws Error(write_failed) when a result could not be written: stdout is full or was closed.
+void check_results();
+
+bool stderr_is_terminal();
+bool colors_wanted();  // a terminal on stderr, NO_COLOR unset or empty, TERM not "dumb"
+
+}  // namespace morphcl::cli

@@ -1,0 +1,55 @@
+#include "cli/devices_command.hpp"
+
+#include <fmt/core.h>
+
+#include "cli/console.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/json_line.hpp"
+#include "cli/table.hpp"
+#include "host/device/session.hpp"
+#include "host/error.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+// "identical", "tolerant: ...", or "unusable: ..." when the device cannot be opened at all.
+std::string verdict_text(const DeviceInfo& device, int threads) {
+  try {
+    const auto session = Session::open({.device = std::to_string(device.index), .threads = threads, .cache_dir = ""});
+    session->store_programs();
+    if (session->verdict() == Verdict::identical) return "identical";
+    return "tolerant: " + session->verdict_detail();
+  } catch (const Error& error) {
+    return "unusable: " + error.message();
+  }
+}
+
+std::string mebibytes(std::size_t bytes) { return fmt::format("{} MiB", bytes >> 20); }
+
+void print_json(const DeviceInfo& device, const std::string& verdict) {
+  JsonLine line("device");
+  line.add("index", device.index).add("name", device.name).add("vendor", device.vendor);
+  line.add("platform", device.platform).add("driver_version", device.driver_version).add("cpu", device.is_cpu);
+  line.add("compute_units", static_cast<std::int64_t>(device.compute_units)).add("fp64", device.fp64);
+  line.add("global_memory_bytes", device.global_memory).add("largest_allocation_bytes", device.largest_allocation);
+  print_result(line.add("local_memory_bytes", device.local_memory).add("verdict", verdict).str());
+}
+}  // namespace
+
+int devices_command(const DevicesOptions& options) {
+  const int threads = prepare_process(options.threads);
+  std::vector<std::vector<std::string>> rows = {
+      {"INDEX", "DEVICE", "PLATFORM", "UNITS", "MEMORY", "LARGEST", "LOCAL", "SELF-TEST"}};
+  for (const DeviceInfo& device : list_devices()) {
+    const std::string verdict = verdict_text(device, threads);
+    if (options.json) print_json(device, verdict);
+    rows.push_back({std::to_string(device.index), printable(device.name), printable(device.platform),
+                    std::to_string(device.compute_units), mebibytes(device.global_memory),
+                    mebibytes(device.largest_allocation), fmt::format("{} KiB", device.local_memory >> 10), verdict});
+  }
+  if (!options.json)
+    for (const std::string& line : aligned(rows)) print_result(line);
+  return exit_done;
+}
+
+}  // namespace morphcl::cli

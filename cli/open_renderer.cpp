@@ -1,0 +1,27 @@
+#include "cli/open_renderer.hpp"
+
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+
+namespace morphcl::cli {
+
+OpenedRenderer open_renderer(const DeviceOptions& options) {
+  OpenedRenderer opened;
+  if (options.device == "reference") {
+    opened.renderer = make_reference_renderer();
+    opened.device_name = opened.renderer->name();
+    opened.threads = 1;
+    return opened;
+  }
+  opened.threads = prepare_process(options.threads);
+  opened.session = Session::open({.device = options.device, .threads = opened.threads, .cache_dir = ""});
+  opened.renderer = make_device_renderer(opened.session);
+  opened.device_name = opened.session->info().name;
+  return opened;
+}
+
+void OpenedRenderer::store_programs() const {
+  if (session) session->store_programs();
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,30 @@
+// The renderer that --device and --threads name.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host/device/session.hpp"
+#include "host/render/renderer.hpp"
+
+namespace morphcl::cli {
+
+struct DeviceOptions {
+  std::string device;  // "" the default, an index, part of a name, or "reference"
+  int threads = 0;     // 0: what the process may use
+};
+
+struct OpenedRenderer {
+  std::shared_ptr<Session> session;  // null for the reference renderer
+  std::unique_ptr<Renderer> renderer;
+  std::string device_name;
+  int threads = 0;
+
+  // Keeps what the device's compiler made for the next process. Called when at least one frame was rendered.
+  void store_programs() const;
+};
+
+// Error(no_device) when there is none, or none of that name.
+OpenedRenderer open_renderer(const DeviceOptions& options);
+
+}  // namespace morphcl::cli

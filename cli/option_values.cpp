@@ -1,0 +1,86 @@
+#include "cli/option_values.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "host/error.hpp"
+#include "host/image/exr_file.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+
+constexpr std::int64_t largest_rate = 1'000'000;  // numerator and denominator of a frame rate
+
+template <typename Number>
+std::optional<Number> whole_number(std::string_view text, Number least, Number most) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) return std::nullopt;
+  return value;
+}
+}  // namespace
+
+ImageSize parse_size(const std::string& text) {
+  const std::string_view view = text;
+  const std::size_t x = view.find('x');
+  if (x != std::string_view::npos) {
+    const auto width = whole_number<int>(view.substr(0, x), 1, max_image_size);
+    const auto height = whole_number<int>(view.substr(x + 1), 1, max_image_size);
+    if (width && height) return {*width, *height};
+  }
+  throw Error(ErrorKind::usage, "--size",
+              fmt::format("'{}' is no image size; WIDTHxHEIGHT in pixels, each from 1 to {}, such as 1920x1080", text,
+                          max_image_size));
+}
+
+TimeBase parse_fps(const std::string& text) {
+  const std::string_view view = text;
+  const std::size_t slash = view.find('/');
+  const auto numerator = whole_number<std::int64_t>(view.substr(0, slash), 1, largest_rate);
+  const auto denominator = slash == std::string_view::npos
+                               ? std::optional<std::int64_t>(1)
+                               : whole_number<std::int64_t>(view.substr(slash + 1), 1, largest_rate);
+  if (!numerator || !denominator)
+    throw Error(ErrorKind::usage, "--fps",
+                fmt::format("'{}' is no frame rate; a whole number such as 25, or a ratio such as 30000/1001", text));
+  return {*numerator, *denominator};
+}
+
+void set_channels(const std::string& list, ImageSettings& image) {
+  static const std::vector<std::string_view> later = {"N", "P", "velocity", "object_id", "coverage"};
+  image.color = image.depth = false;
+  std::string_view rest = list;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view name = rest.substr(0, comma);
+    if (name == "RGBA") {
+      image.color = true;
+    } else if (name == "Z") {
+      image.depth = true;
+    } else {
+      const bool known = std::find(later.begin(), later.end(), name) != later.end();
+      throw Error(
+          ErrorKind::usage, "--channels",
+          fmt::format("'{}' is {}; RGBA, Z or RGBA,Z", name, known ? "not drawn by this version" : "no channel"));
+    }
+    if (comma == std::string_view::npos) return;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+void set_compression(const std::string& name, ImageSettings& image) {
+  const auto& names = compression_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Error(ErrorKind::usage, "--compression",
+                fmt::format("'{}' is no compression; one of {}", name, fmt::join(names, ", ")));
+  image.compression = name;
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,27 @@
+// morphcl render: frames of a shot or model into EXR files.
+#pragma once
+
+#include <string>
+
+#include "cli/open_renderer.hpp"
+#include "cli/scene_options.hpp"
+
+namespace morphcl::cli {
+
+struct RenderOptions {
+  SceneOptions scene;
+  DeviceOptions device;
+  std::string pattern;        // "" NAME.####.exr
+  std::string frames;         // "" the shot's range
+  std::string contact_sheet;  // PNG of all frames; "" none
+  bool preview = false;       // a PNG beside each frame
+  bool resume = false;
+  bool verify = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Returns the exit code. Everything that the options and the scene can have wrong is found before the first frame.
+int render_command(const RenderOptions& options);
+
+}  // namespace morphcl::cli

@@ -1,0 +1,42 @@
+// What a render job tells: frames as they finish, failures, and the line at the end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/progress_bar.hpp"
+#include "host/job/render_job.hpp"
+
+namespace morphcl::cli {
+
+class RenderReport {
+ public:
+  struct Settings {
+    std::string device;
+    std::vector<std::string> extra_outputs;  // the contact sheet
+    bool json = false;
+    bool quiet = false;
+  };
+  RenderReport(std::size_t total, Settings settings);
+
+  // With --json one object on stdout a frame, and one on stderr for the progress unless quiet. A failure is one line on
+  // stderr.
+  void frame(const FrameResult& result);
+
+  // The closing line or object on stdout, and the message of an interrupted job on stderr. Returns the exit code.
+  int finish(const JobResult& result);
+
+ private:
+  void summary(const JobResult& result, double seconds) const;
+
+  std::size_t total_;
+  Settings settings_;
+  ProgressBar bar_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// 75 when interrupted; 0 when no frame failed; the failures' common code when no frame was written, or when all of them
+// are failed writes (74: the disk is full); else 1.
+int exit_code(const JobResult& result);
+
+}  // namespace morphcl::cli

@@ -1,0 +1,95 @@
+#include <fmt/core.h>
+
+#include <set>
+
+#include "cli/console.hpp"
+#include "cli/info_command.hpp"
+#include "cli/json_line.hpp"
+#include "cli/table.hpp"
+#include "host/error.hpp"
+#include "host/scene/frame_range.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+const char* shading_name(Shading shading) {
+  switch (shading) {
+    case Shading::flat:
+      return "flat";
+    case Shading::smooth:
+      return "smooth";
+    case Shading::unlit:
+      return "unlit";
+    case Shading::wireframe:
+      return "wireframe";
+  }
+  return "flat";
+}
+
+std::string range_text(const std::vector<FrameRange>& ranges) {
+  std::string text;
+  for (const FrameRange& range : ranges) {
+    text += (text.empty() ? "" : ",") + std::to_string(range.first);
+    if (range.last != range.first) text += "-" + std::to_string(range.last);
+    if (range.step != 1) text += "x" + std::to_string(range.step);
+  }
+  return text;
+}
+
+std::string fps_text(const TimeBase& time) {
+  return time.fps_denominator == 1 ? std::to_string(time.fps_numerator)
+                                   : fmt::format("{}/{}", time.fps_numerator, time.fps_denominator);
+}
+
+std::string target_names(const Mesh& mesh) {
+  std::string names;
+  for (const MorphTarget& target : mesh.targets) names += (names.empty() ? "" : ", ") + target.name;
+  return names;
+}
+
+void print_json(const Scene& scene) {
+  JsonLine line("scene");
+  line.add("name", scene.name).add("width", scene.image.width).add("height", scene.image.height);
+  line.add("compression", scene.image.compression).add("frames", range_text(scene.frames));
+  line.add("fps", fps_text(scene.timeline.time)).add("objects", scene.objects.size());
+  line.add("nodes", scene.timeline.nodes.size()).add("lights", scene.timeline.lights.size());
+  print_result(line.add("content_hash", scene.content_hash).str());
+  for (const Mesh& mesh : scene.meshes) {
+    JsonLine row("mesh");
+    row.add("name", mesh.name).add("vertices", mesh.positions.size()).add("triangles", mesh.triangles.size());
+    row.add("normals", !mesh.normals.empty()).add("colors", !mesh.colors.empty());
+    print_result(row.add("targets", mesh.targets.size()).add("target_names", target_names(mesh)).str());
+  }
+  for (const std::string& warning : scene.warnings) print_result(JsonLine("warning").add("text", warning).str());
+}
+
+void print_table(const Scene& scene) {
+  std::vector<std::vector<std::string>> rows = {
+      {"name", printable(scene.name)},
+      {"image", fmt::format("{}x{}, {}{}, {}", scene.image.width, scene.image.height, scene.image.color ? "RGBA " : "",
+                            scene.image.depth ? "Z" : "", scene.image.compression)},
+      {"frames", fmt::format("{} at {} per second", range_text(scene.frames), fps_text(scene.timeline.time))},
+      {"nodes", std::to_string(scene.timeline.nodes.size())},
+      {"lights", std::to_string(scene.timeline.lights.size())}};
+  for (const Mesh& mesh : scene.meshes) {
+    std::string text =
+        fmt::format("{}: {} vertices, {} triangles", mesh.name, mesh.positions.size(), mesh.triangles.size());
+    if (!mesh.targets.empty()) text += fmt::format(", {} morph targets: {}", mesh.targets.size(), target_names(mesh));
+    rows.push_back({"mesh", printable(text)});
+  }
+  for (const Object& object : scene.objects)
+    rows.push_back({"object", printable(fmt::format("{}: {}, {}", object.name, scene.meshes[object.mesh].name,
+                                                    shading_name(object.material.shading)))});
+  for (const std::string& warning : scene.warnings) rows.push_back({"warning", printable(warning)});
+  for (const std::string& line : aligned(rows)) print_result(line);
+}
+}  // namespace
+
+void print_scene_info(const Scene& scene, bool json) {
+  if (json)
+    print_json(scene);
+  else
+    print_table(scene);
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,27 @@
+#include "cli/scene_options.hpp"
+
+#include "cli/option_values.hpp"
+#include "host/scene/load_scene.hpp"
+
+namespace morphcl::cli {
+
+Scene open_scene(const SceneOptions& options) {
+  LoadOptions load;
+  load.allow_outside = options.allow_outside;
+  if (!options.fps.empty()) load.fps = parse_fps(options.fps);
+  ImageSettings checked;  // so that a wrong option is reported before a large file is read
+  if (!options.size.empty()) {
+    const ImageSize size = parse_size(options.size);
+    load.width = size.width;
+    load.height = size.height;
+  }
+  if (!options.channels.empty()) set_channels(options.channels, checked);
+  if (!options.compression.empty()) set_compression(options.compression, checked);
+
+  Scene scene = load_scene(options.path, load);
+  if (!options.channels.empty()) set_channels(options.channels, scene.image);
+  if (!options.compression.empty()) set_compression(options.compression, scene.image);
+  return scene;
+}
+
+}  // namespace morphcl::cli

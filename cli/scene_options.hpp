@@ -1,0 +1,23 @@
+// Which scene a command works on: the shot or model, and what the command line says otherwise about its image and time.
+#pragma once
+
+#include <string>
+
+#include "host/scene/scene.hpp"
+
+namespace morphcl::cli {
+
+// An empty text leaves what the shot says.
+struct SceneOptions {
+  std::string path;         // .toml, .gltf, .glb or .obj
+  std::string size;         // "1920x1080"
+  std::string channels;     // "RGBA,Z"
+  std::string compression;  // "zip"
+  std::string fps;          // "25", "30000/1001"
+  bool allow_outside = false;
+};
+
+// Loads the scene with these options in it. Errors of the options come before the file is opened.
+Scene open_scene(const SceneOptions& options);
+
+}  // namespace morphcl::cli

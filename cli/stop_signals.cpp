@@ -1,0 +1,33 @@
+#include "cli/stop_signals.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+namespace morphcl::cli {
+
+namespace {
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set inside a signal handler");
+
+extern "C" void ask_to_stop(int signal_number) {
+  if (stop.exchange(true)) _exit(128 + signal_number);
+}
+
+bool install() {
+  struct sigaction action = {};
+  action.sa_handler = ask_to_stop;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (int number : {SIGTERM, SIGINT, SIGUSR1}) sigaction(number, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+  return true;
+}
+}  // namespace
+
+const std::atomic<bool>& stop_requested() {
+  static const bool installed = install();
+  static_cast<void>(installed);
+  return stop;
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,30 @@
+#include "cli/warm_command.hpp"
+
+#include <fmt/core.h>
+
+#include <chrono>
+
+#include "cli/console.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/warm_scene.hpp"
+#include "host/error.hpp"
+#include "host/render/plan.hpp"
+
+namespace morphcl::cli {
+
+int warm_command(const DeviceOptions& options) {
+  if (options.device == "reference")
+    throw Error(ErrorKind::usage, "--device", "the reference renderer compiles nothing; an OpenCL device");
+  const auto start = std::chrono::steady_clock::now();
+  const OpenedRenderer opened = open_renderer(options);
+  for (const Scene& scene : warm_scenes()) {
+    FrameBuffer frame(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
+    opened.renderer->render(plan_frame(scene, 0), frame);
+  }
+  opened.store_programs();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  print_result(fmt::format("kernels ready for {} after {:.2f} s", opened.device_name, elapsed.count()));
+  return exit_done;
+}
+
+}  // namespace morphcl::cli

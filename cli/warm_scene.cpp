@@ -1,0 +1,62 @@
+#include "cli/warm_scene.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+constexpr int side = 64;  // pixels: one tile
+
+// Two triangles that cross the frame, one of them through the near plane, with one target of each form.
+Mesh small_mesh() {
+  Mesh mesh;
+  mesh.name = "warm";
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, 8}};
+  mesh.normals.assign(4, glm::vec3(0, 0, 1));
+  mesh.colors.assign(4, glm::vec4(1));
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
+  MorphTarget delta;
+  delta.name = "delta";
+  delta.positions.assign(4, glm::vec3(0, 0.1f, 0));
+  delta.normals.assign(4, glm::vec3(0.1f, 0, 0));
+  delta.colors.assign(4, glm::vec4(0));
+  MorphTarget absolute = delta;
+  absolute.name = "absolute";
+  absolute.form = TargetForm::absolute;
+  absolute.positions = mesh.positions;
+  absolute.normals = mesh.normals;
+  absolute.colors = mesh.colors;
+  mesh.targets = {delta, absolute};
+  return mesh;
+}
+
+Scene scene_with(const Projection& projection, bool color, bool depth) {
+  Scene scene;
+  scene.name = "warm";
+  scene.image.width = scene.image.height = side;
+  scene.image.color = color;
+  scene.image.depth = depth;
+  scene.meshes = {small_mesh()};
+  scene.timeline.nodes = {Node{}};
+  scene.timeline.camera.projection = projection;
+  Light point;
+  point.kind = LightKind::point;
+  point.falloff = true;
+  scene.timeline.lights = {Light{}, point};
+  for (Shading shading : {Shading::flat, Shading::smooth, Shading::unlit, Shading::wireframe}) {
+    Object object;
+    object.name = "object" + std::to_string(scene.objects.size());
+    object.material.shading = shading;
+    object.material.double_sided = true;
+    scene.objects.push_back(object);
+    scene.timeline.weights.push_back({{0.5, 0.25}, {}});
+  }
+  scene.frames = {FrameRange{}};
+  return scene;
+}
+}  // namespace
+
+std::vector<Scene> warm_scenes() {
+  return {scene_with(Perspective{}, true, true), scene_with(Orthographic{}, true, false),
+          scene_with(Perspective{}, false, true)};
+}
+
+}  // namespace morphcl::cli
