@@ -18,8 +18,8 @@ namespace morphcl {
 
 namespace {
 
-// zlib's level 1 takes half the time of OpenEXR's default, 4; the files are up to twice as large, and still small beside
-// what the other lossless compressions make of rendered frames.
+// zlib's level 1 takes half the time of OpenEXR's default, 4; the files are up to twice as large, and still small
+// beside what the other lossless compressions make of rendered frames.
 constexpr int zip_level = 1;
 
 Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attributes, Imf::Compression compression,
