@@ -1,6 +1,7 @@
 // The timeline: everything that moves, and its state at a frame as a pure function of the frame number.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <string>
@@ -36,13 +37,13 @@ struct MorphWeights {
 };
 
 // Where a camera looks from. With node >= 0 the camera sits in that node's frame looking down its -z (glTF) and
-// eye/target/up are not used.
+// eye/target/up are not used; scale, shear and mirroring of the node are ignored, so that distances stay the world's.
 struct Camera {
   Projection projection = Perspective{};
   int node = -1;
   glm::dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
-  Track eye_track, target_track, up_track;      // width 3
-  Track fovy_track, near_track, far_track;      // width 1
+  Track eye_track, target_track, up_track;  // width 3
+  Track fovy_track, near_track, far_track;  // width 1
 };
 
 enum class LightKind { directional, point };
@@ -53,7 +54,7 @@ struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 vector{0, 0, 1};
   glm::dvec3 color{1.0};
-  bool falloff = false;  // divide by squared distance
+  bool falloff = false;             // divide by squared distance
   Track vector_track, color_track;  // width 3
 };
 
@@ -65,7 +66,10 @@ struct Timeline {
   std::vector<Light> lights;
   glm::dvec3 ambient{0.05};
 
-  void validate() const;  // Error(bad_input): parent out of range, a cycle (names its nodes), track of the wrong width
+  // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
+  // width, weights that drive no target, a camera node out of range, a constant that is not finite, a rotation of
+  // length 0, a fovy track on another projection than Perspective.
+  void validate() const;
 };
 
 struct CameraState {
@@ -89,6 +93,9 @@ struct FrameState {
   glm::dvec3 ambient{0.05};
 };
 
+// `timeline` has passed validate(). Error(usage) when |frame| > 1,000,000. Error(bad_input), naming the frame, where
+// the motion itself goes wrong: eye meets target, a projection or a light's direction degenerates, a transform
+// overflows.
 FrameState evaluate(const Timeline& timeline, std::int64_t frame);
 
 }  // namespace morphcl

@@ -1,0 +1,116 @@
+#include "anim/track.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "host/error.hpp"
+#include "host/math/lerp.hpp"
+#include "host/math/quaternion.hpp"
+
+namespace morphcl {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
+
+std::size_t values_per_key(Interpolation interpolation, int width) {
+  return static_cast<std::size_t>(width) * (interpolation == Interpolation::cubic ? 3 : 1);
+}
+
+// b - a for a < b, also where the difference does not fit into 63 bits.
+double distance(std::int64_t a, std::int64_t b) {
+  return static_cast<double>(static_cast<std::uint64_t>(b) - static_cast<std::uint64_t>(a));
+}
+
+glm::dquat load(const double* xyzw) { return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]}; }
+
+void store(const glm::dquat& q, double* xyzw) {
+  xyzw[0] = q.x;
+  xyzw[1] = q.y;
+  xyzw[2] = q.z;
+  xyzw[3] = q.w;
+}
+
+bool is_zero(const double* xyzw) {
+  return std::all_of(xyzw, xyzw + 4, [](double c) { return c == 0; });
+}
+
+}  // namespace
+
+Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t ticks_per_second,
+             std::vector<std::int64_t> ticks, std::vector<double> values)
+    : interpolation_(interpolation),
+      width_(width),
+      rotation_(rotation),
+      ticks_per_second_(static_cast<double>(ticks_per_second)),
+      ticks_(std::move(ticks)),
+      values_(std::move(values)) {
+  if (width < 1) refuse(fmt::format("a track has {} components a key; it needs at least 1", width));
+  if (rotation && width != 4)
+    refuse(fmt::format("a rotation track has {} components a key; it needs 4: x y z w", width));
+  if (ticks_per_second < 1) refuse(fmt::format("a track has {} ticks a second; it needs at least 1", ticks_per_second));
+  const std::size_t least_keys = interpolation == Interpolation::cubic ? 2 : 1;
+  if (ticks_.size() < least_keys)
+    refuse(fmt::format("a track has {} keys; this interpolation needs at least {}", ticks_.size(), least_keys));
+  const std::size_t per_key = values_per_key(interpolation, width);
+  if (values_.size() / per_key != ticks_.size() || values_.size() % per_key != 0)
+    refuse(fmt::format("a track of {} keys has {} values; it needs {} a key", ticks_.size(), values_.size(), per_key));
+  for (std::size_t key = 1; key < ticks_.size(); ++key)
+    if (ticks_[key] <= ticks_[key - 1])
+      refuse(fmt::format("key {} of a track is not later than key {}; times must increase", key, key - 1));
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (!std::isfinite(values_[i]))
+      refuse(fmt::format("key {} of a track holds a value that is NaN or infinite; it must be finite", i / per_key));
+  for (std::size_t key = 0; rotation && key < ticks_.size(); ++key)
+    if (is_zero(key_value(key)))
+      refuse(fmt::format("key {} of a rotation track is 0 0 0 0; a rotation is a quaternion of length 1", key));
+}
+
+const double* Track::key_value(std::size_t key) const {
+  const bool cubic = interpolation_ == Interpolation::cubic;
+  return values_.data() + key * values_per_key(interpolation_, width_) + (cubic ? width_ : 0);
+}
+
+void Track::evaluate(std::int64_t tick, double* out) const {
+  const auto next = std::upper_bound(ticks_.begin(), ticks_.end(), tick);
+  const std::size_t key = next == ticks_.begin() ? 0 : static_cast<std::size_t>(next - ticks_.begin()) - 1;
+  const bool holds = tick <= ticks_[key] || next == ticks_.end() || interpolation_ == Interpolation::step;
+  if (holds)
+    std::copy_n(key_value(key), width_, out);
+  else
+    interpolate(key, tick, out);
+}
+
+void Track::interpolate(std::size_t key, std::int64_t tick, double* out) const {
+  const double ticks = distance(ticks_[key], ticks_[key + 1]);
+  const double u = distance(ticks_[key], tick) / ticks;
+  const double *a = key_value(key), *b = key_value(key + 1);
+  if (interpolation_ == Interpolation::cubic)
+    hermite(key, u, ticks / ticks_per_second_, out);
+  else if (rotation_)
+    store(slerp(load(a), load(b), u), out);
+  else
+    for (int i = 0; i < width_; ++i) out[i] = lerp(a[i], b[i], u);
+}
+
+void Track::hermite(std::size_t key, double u, double seconds, double* out) const {
+  const double *a = key_value(key), *b = key_value(key + 1);
+  const double *out_tangent = a + width_, *in_tangent = b - width_;
+  const double v = 1 - u;
+  // The four cubic Hermite weights as products: no cancellation, weights of a and b add up to 1.
+  const double to_b = u * u * (1 + 2 * v);
+  const double out_weight = u * v * v * seconds, in_weight = -u * u * v * seconds;
+  for (int i = 0; i < width_; ++i)
+    out[i] = lerp(a[i], b[i], to_b) + std::fma(out_weight, out_tangent[i], in_weight * in_tangent[i]);
+  if (!rotation_) return;
+  if (is_zero(out))
+    std::copy_n(a, 4, out);
+  else
+    store(normalized(load(out)), out);
+}
+
+}  // namespace morphcl
