@@ -7,6 +7,7 @@
 #include <charconv>
 #include <optional>
 
+#include "host/device/cache_dir.hpp"
 #include "host/device/cl_error.hpp"
 #include "host/device/prepare_process.hpp"
 #include "host/error.hpp"
@@ -69,8 +70,9 @@ const FoundDevice* match(const std::vector<FoundDevice>& devices, std::string_vi
 
 }  // namespace
 
-std::vector<FoundDevice> find_devices() {
+std::vector<FoundDevice> find_devices(const std::string& cache_dir) {
   ensure_process_prepared();
+  place_pocl_cache(choose_cache_dir(cache_dir));
   std::vector<cl::Platform> platforms;
   std::string reason = "none is installed";
   try {
@@ -103,7 +105,7 @@ const FoundDevice& choose_device(const std::vector<FoundDevice>& devices, std::s
 
 std::vector<DeviceInfo> list_devices() {
   std::vector<DeviceInfo> infos;
-  for (FoundDevice& found : find_devices()) infos.push_back(std::move(found.info));
+  for (FoundDevice& found : find_devices("")) infos.push_back(std::move(found.info));
   return infos;
 }
 

@@ -5,21 +5,28 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "host/device/build_options.hpp"
+#include "host/device/cache_dir.hpp"
 #include "host/device/cl_error.hpp"
 #include "host/device/device_list.hpp"
 #include "host/device/kernel_source.hpp"
 #include "host/device/prepare_process.hpp"
+#include "host/device/program_cache.hpp"
+#include "host/device/self_test.hpp"
 #include "host/error.hpp"
 
 namespace morphcl {
 
 namespace {
 
+constexpr const char* self_test_stage = "self_test";
+
 struct BuiltProgram {
   cl::Program program;
-  bool from_source = false;
+  bool store;  // built from source and not in the cache yet
 };
 
 const std::string& source_of(const std::string& stage) {
@@ -36,8 +43,9 @@ std::string first_line(const std::string& log) {
   return log.substr(begin, log.find_first_of("\r\n", begin) - begin);
 }
 
-cl::Program build_from_source(const cl::Context& context, const std::string& stage, const std::string& options) {
-  cl::Program program(context, source_of(stage));
+cl::Program build_from_source(const cl::Context& context, const std::string& stage, const std::string& source,
+                              const std::string& options) {
+  cl::Program program(context, source);
   try {
     program.build(options.c_str());
   } catch (const cl::BuildError& error) {
@@ -52,22 +60,51 @@ cl::Program build_from_source(const cl::Context& context, const std::string& sta
 
 struct Session::Impl {
   DeviceInfo info;
-  cl::Device device;
   cl::Context context;
   cl::CommandQueue queue;
   std::string build_options;
-  Verdict verdict = Verdict::identical;
-  std::string verdict_detail;
+  std::optional<ProgramCache> cache;
+  SelfTestResult self_test;
 
   std::mutex programs_mutex;
   std::map<std::string, BuiltProgram> programs;
 
+  void open(const FoundDevice& chosen, const std::string& cache_dir) {
+    info = chosen.info;
+    context = cl::Context(chosen.device);
+    queue = cl::CommandQueue(context, chosen.device);
+    build_options = morphcl::build_options(chosen.device, chosen.platform);
+    cache.emplace(choose_cache_dir(cache_dir), compiler_identity(chosen.device, chosen.platform));
+  }
+
   const cl::Program& program(const std::string& stage) {
     const std::lock_guard lock(programs_mutex);
-    auto built = programs.find(stage);
-    if (built == programs.end())
-      built = programs.emplace(stage, BuiltProgram{build_from_source(context, stage, build_options), true}).first;
-    return built->second.program;
+    const auto built = programs.find(stage);
+    if (built != programs.end()) return built->second.program;
+    const std::string& source = source_of(stage);
+    auto cached = cache->load(context, source, build_options);
+    const bool store = !cached;
+    if (!cached) cached = build_from_source(context, stage, source, build_options);
+    return programs.emplace(stage, BuiltProgram{*cached, store}).first->second.program;
+  }
+
+  // Each program once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
+  // which takes PoCL as long as compiling did.
+  std::map<std::string, cl::Program> take_unstored() {
+    const std::lock_guard lock(programs_mutex);
+    std::map<std::string, cl::Program> unstored;
+    for (auto& [stage, built] : programs)
+      if (std::exchange(built.store, false)) unstored.emplace(stage, built.program);
+    return unstored;
+  }
+
+  void run_self_test() {
+    const std::string& source = source_of(self_test_stage);
+    if (cache->is_known_identical(source, build_options)) return;
+    const cl::Program& tests = program(self_test_stage);
+    self_test = morphcl::run_self_test(context, queue, cl::Kernel(tests, "self_test_scalar"),
+                                       cl::Kernel(tests, "self_test_vector"));
+    if (self_test.verdict == Verdict::identical) cache->remember_identical(source, build_options);
   }
 };
 
@@ -76,23 +113,19 @@ Session::~Session() = default;
 
 std::shared_ptr<Session> Session::open(const SessionOptions& options) {
   ensure_process_prepared(options.threads);
-  const std::vector<FoundDevice> devices = find_devices();
+  const std::vector<FoundDevice> devices = find_devices(options.cache_dir);
   const FoundDevice& chosen = choose_device(devices, options.device);
   std::shared_ptr<Session> session(new Session);
-  Impl& impl = *session->impl_;
-  impl.info = chosen.info;
-  impl.device = chosen.device;
   checked(fmt::format("opening device \"{}\"", chosen.info.name), [&] {
-    impl.context = cl::Context(impl.device);
-    impl.queue = cl::CommandQueue(impl.context, impl.device);
-    impl.build_options = build_options(chosen.device, chosen.platform);
+    session->impl_->open(chosen, options.cache_dir);
+    session->impl_->run_self_test();
   });
   return session;
 }
 
 const DeviceInfo& Session::info() const { return impl_->info; }
-Verdict Session::verdict() const { return impl_->verdict; }
-const std::string& Session::verdict_detail() const { return impl_->verdict_detail; }
+Verdict Session::verdict() const { return impl_->self_test.verdict; }
+const std::string& Session::verdict_detail() const { return impl_->self_test.detail; }
 const cl::Context& Session::context() const { return impl_->context; }
 const cl::CommandQueue& Session::queue() const { return impl_->queue; }
 
@@ -101,6 +134,13 @@ cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_n
                  [&] { return cl::Kernel(impl_->program(stage), kernel_name.c_str()); });
 }
 
-void Session::store_programs() {}
+void Session::store_programs() {
+  try {
+    for (const auto& [stage, program] : impl_->take_unstored())
+      impl_->cache->store(program, source_of(stage), impl_->build_options);
+  } catch (const std::exception&) {
+    // The next process compiles again; that is all a missing cache entry costs.
+  }
+}
 
 }  // namespace morphcl

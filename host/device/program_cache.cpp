@@ -1,0 +1,110 @@
+#include "host/device/program_cache.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::string_view verdict_identical = "identical";
+
+// The lines on the model and features of the first processor; "flags" is the name on x86, "Features" on Arm.
+std::string processor_description() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string description;
+  for (std::string line; std::getline(file, line) && !line.empty();)
+    for (const char* field : {"model name", "flags", "Features", "CPU implementer", "CPU part", "isa"})
+      if (line.starts_with(field)) description += line + '\n';
+  return description;
+}
+
+// PoCL's variables select among other things the kernel library and the vectoriser. Those that cannot change code are
+// left out, so that a run on one thread finds what a run on two has stored.
+std::vector<std::string> pocl_variables() {
+  constexpr std::string_view harmless[] = {
+      "POCL_CACHE_DIR=", "POCL_MAX_PTHREAD_COUNT=", "POCL_CPU_MAX_CU_COUNT=", "POCL_DEBUG="};
+  std::vector<std::string> variables;
+  for (char** variable = environ; variable && *variable; ++variable) {
+    const std::string_view text = *variable;
+    if (text.starts_with("POCL_") && std::none_of(std::begin(harmless), std::end(harmless),
+                                                  [&](std::string_view name) { return text.starts_with(name); }))
+      variables.emplace_back(text);
+  }
+  std::sort(variables.begin(), variables.end());
+  return variables;
+}
+
+std::optional<std::filesystem::path> subfolder(const std::optional<std::filesystem::path>& cache_dir,
+                                               const char* name) {
+  return cache_dir ? std::optional(*cache_dir / name) : std::nullopt;
+}
+
+std::span<const unsigned char> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+std::vector<std::string> compiler_identity(const cl::Device& device, const cl::Platform& platform) {
+  std::vector<std::string> identity = {device.getInfo<CL_DEVICE_NAME>(),
+                                       device.getInfo<CL_DEVICE_VENDOR>(),
+                                       device.getInfo<CL_DEVICE_VERSION>(),
+                                       device.getInfo<CL_DRIVER_VERSION>(),
+                                       platform.getInfo<CL_PLATFORM_NAME>(),
+                                       platform.getInfo<CL_PLATFORM_VERSION>(),
+                                       processor_description()};
+  const std::vector<std::string> variables = pocl_variables();
+  identity.insert(identity.end(), variables.begin(), variables.end());
+  return identity;
+}
+
+ProgramCache::ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> identity)
+    : compiler_identity_(std::move(identity)),
+      binaries_(subfolder(cache_dir, "programs"), "clbin"),
+      verdicts_(subfolder(cache_dir, "programs"), "verdict") {}
+
+CacheKey ProgramCache::key(const std::string& source, const std::string& options) const {
+  std::vector<std::string> parts = compiler_identity_;
+  parts.push_back(options);
+  parts.push_back(source);
+  return cache_key(parts);
+}
+
+std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const std::string& source,
+                                              const std::string& options) const {
+  auto binary = binaries_.load(key(source, options));
+  if (!binary) return std::nullopt;
+  try {
+    cl::Program program(context, context.getInfo<CL_CONTEXT_DEVICES>(), cl::Program::Binaries{std::move(*binary)});
+    program.build(options.c_str());
+    return program;
+  } catch (const cl::Error&) {
+    return std::nullopt;
+  }
+}
+
+bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options) const {
+  try {
+    const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    return binaries.size() == 1 && !binaries.front().empty() && binaries_.store(key(source, options), binaries.front());
+  } catch (const cl::Error&) {
+    return false;
+  }
+}
+
+bool ProgramCache::is_known_identical(const std::string& self_test_source, const std::string& options) const {
+  const auto content = verdicts_.load(key(self_test_source, options));
+  const auto expected = bytes_of(verdict_identical);
+  return content && std::equal(content->begin(), content->end(), expected.begin(), expected.end());
+}
+
+void ProgramCache::remember_identical(const std::string& self_test_source, const std::string& options) const {
+  verdicts_.store(key(self_test_source, options), bytes_of(verdict_identical));
+}
+
+}  // namespace morphcl

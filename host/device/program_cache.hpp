@@ -1,0 +1,44 @@
+// Compiled programs and self-test verdicts on disk.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/device/disk_cache.hpp"
+#include "host/device/opencl.hpp"
+
+namespace morphcl {
+
+// Everything besides the source and the options that decides what a compiler makes for this device here: device, driver
+// and platform with their versions, the processor's model and features (a home folder may be shared by unlike machines)
+// and the POCL_ variables that change code.
+std::vector<std::string> compiler_identity(const cl::Device& device, const cl::Platform& platform);
+
+class ProgramCache {
+ public:
+  ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> compiler_identity);
+
+  // A program built from the cached binary, or nothing if there is none or the driver does not take it.
+  std::optional<cl::Program> load(const cl::Context& context, const std::string& source,
+                                  const std::string& options) const;
+
+  // Call after the program's kernels have run: PoCL's binaries hold the work-group functions that were compiled so far.
+  // False if the driver gives no binary or the folder does not take it.
+  bool store(const cl::Program& program, const std::string& source, const std::string& options) const;
+
+  // Whether the self-test is known to pass for this program. Only passing is remembered. The key names the compiler,
+  // the processor and the test, and what it vouches for is the same as what the cached binaries were made by: a
+  // compiler or device that differs in anything is another key, and is tested.
+  bool is_known_identical(const std::string& self_test_source, const std::string& options) const;
+  void remember_identical(const std::string& self_test_source, const std::string& options) const;
+
+ private:
+  CacheKey key(const std::string& source, const std::string& options) const;
+
+  std::vector<std::string> compiler_identity_;
+  DiskCache binaries_, verdicts_;
+};
+
+}  // namespace morphcl

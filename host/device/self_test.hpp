@@ -1,0 +1,21 @@
+// The self-test that decides whether a device may promise the same bits as every other.
+#pragma once
+
+#include <string>
+
+#include "host/device/opencl.hpp"
+#include "host/device/session.hpp"
+
+namespace morphcl {
+
+struct SelfTestResult {
+  Verdict verdict = Verdict::identical;
+  std::string detail;  // "" or the operations that differ: how many results, and the largest difference
+};
+
+// Runs both kernels of self_test.cl on the operands of self_test_reference.hpp and compares every bit. A launch that
+// fails is an Error.
+SelfTestResult run_self_test(const cl::Context& context, const cl::CommandQueue& queue, cl::Kernel scalar,
+                             cl::Kernel vector);
+
+}  // namespace morphcl
