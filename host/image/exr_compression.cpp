@@ -6,6 +6,7 @@
 #include <array>
 
 #include "host/error.hpp"
+#include "host/image/exr_file.hpp"
 
 namespace morphcl {
 
@@ -47,6 +48,8 @@ const std::vector<std::string>& compression_names() {
   }();
   return names;
 }
+
+void check_compression(const std::string& name) { exr_compression(name); }
 
 Imf::Compression exr_compression(const std::string& name) {
   for (const Entry& entry : table)

@@ -1,18 +1,14 @@
-// The compressions of OpenEXR by their names in shot files and on the command line.
+// The compressions of OpenEXR behind their names; compression_names() is in exr_file.hpp.
 #pragma once
 
 #include <ImfCompression.h>
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace morphcl {
 
-// none rle zips zip piz pxr24 b44 b44a dwaa dwab
-const std::vector<std::string>& compression_names();
-
-// Error(usage) lists the names when `name` is none of them.
+// Error(usage) lists the names when `name` is none of compression_names().
 Imf::Compression exr_compression(const std::string& name);
 std::string_view compression_name(Imf::Compression compression);  // "unknown" for what this library does not know
 

@@ -73,15 +73,20 @@ ExrFrame read_exr(const std::string& path) {
   }
 }
 
-bool is_finished_frame(const std::string& path, const std::string& fingerprint) {
+std::optional<ExrFrame> read_finished_frame(const std::string& path, const std::string& fingerprint) {
   try {
     FileInput input(path);
-    if (fingerprint_of(input) != fingerprint) return false;  // the cheap question first
-    const ExrFrame frame = decode(input);
-    return !frame.stored_hash.empty() && frame.stored_hash == frame.hash;
+    if (fingerprint_of(input) != fingerprint) return std::nullopt;  // the cheap question first
+    ExrFrame frame = decode(input);
+    if (frame.stored_hash.empty() || frame.stored_hash != frame.hash) return std::nullopt;
+    return frame;
   } catch (...) {
-    return false;
+    return std::nullopt;
   }
+}
+
+bool is_finished_frame(const std::string& path, const std::string& fingerprint) {
+  return read_finished_frame(path, fingerprint).has_value();
 }
 
 }  // namespace morphcl

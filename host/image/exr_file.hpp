@@ -1,6 +1,7 @@
 // One frame as an OpenEXR file: written whole or not at all, read back with every check.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace morphcl {
 
 // none rle zips zip piz pxr24 b44 b44a dwaa dwab; the first five are lossless.
 const std::vector<std::string>& compression_names();
+void check_compression(const std::string& name);  // Error(usage) lists the names when `name` is none of them
 
 // Writes to a temporary name in the same folder, flushes to disk, renames; missing folders are made. Returns the pixel
 // hash that the file holds: of the pixels that a reader gets, so with a lossy compression not that of `frame`.
@@ -33,8 +35,9 @@ struct ExrFrame {
 // when it is damaged, deep, larger than FrameBuffer::max_side or has none of these channels.
 ExrFrame read_exr(const std::string& path);
 
-// Whether `path` is a whole frame of the job with this fingerprint: decodes it, compares hash and fingerprint. Never
-// throws.
+// The frame at `path` if it is whole and of the job with this fingerprint: its pixels, decoded, have the hash that it
+// holds. Never throws: what cannot be read is not finished.
+std::optional<ExrFrame> read_finished_frame(const std::string& path, const std::string& fingerprint);
 bool is_finished_frame(const std::string& path, const std::string& fingerprint);
 
 }  // namespace morphcl
