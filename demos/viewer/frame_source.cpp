@@ -1,0 +1,94 @@
+#include "demos/viewer/frame_source.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "demos/viewer/view_camera.hpp"
+#include "host/error.hpp"
+#include "host/job/render_job.hpp"
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "host/scene/frame_range.hpp"
+
+namespace morphcl::viewer {
+namespace {
+
+std::vector<std::int64_t> frames_of(const Scene& scene) {
+  std::vector<std::int64_t> frames = frame_numbers(scene.frames);
+  if (frames.empty()) throw Error(ErrorKind::bad_input, scene.name, "the shot has no frames; at least one is needed");
+  return frames;
+}
+
+}  // namespace
+
+FrameSource::FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Session> session)
+    : scene_(std::move(scene)),
+      settings_(std::move(settings)),
+      session_(std::move(session)),
+      renderer_(session_ ? make_device_renderer(session_) : make_reference_renderer()),
+      frames_(frames_of(scene_)),
+      shot_camera_(scene_.timeline.camera),
+      shot_image_(scene_.image),
+      shot_hash_(scene_.content_hash) {}
+
+View FrameSource::first_view() const {
+  View view;
+  view.projection = shot_projection(scene_.timeline, frames_.front());
+  return view;
+}
+
+double FrameSource::frames_per_second() const {
+  const TimeBase& time = scene_.timeline.time;
+  return static_cast<double>(time.fps_numerator) / static_cast<double>(time.fps_denominator);
+}
+
+void FrameSource::show(const View& view, const Size& size, const ImageSettings& image) {
+  scene_.image = image;
+  scene_.image.width = size.width;
+  scene_.image.height = size.height;
+  scene_.timeline.camera = shot_camera_;
+  scene_.content_hash = shot_hash_;
+  const double aspect = static_cast<double>(size.width) / size.height;
+  if (const auto camera = view_camera(scene_.timeline, frames_[view.step], view, settings_, aspect)) {
+    scene_.timeline.camera = *camera;
+    // A frame that the shot does not hold must not pass for one of its frames (`morphcl render --resume`).
+    scene_.content_hash += fmt::format("+{},{},{},{},{}", settings_.name, static_cast<int>(view.projection),
+                                       view.eye_steps, view.orbit_right, view.orbit_up);
+  }
+}
+
+const FrameBuffer& FrameSource::render(const View& view, const Size& size) {
+  const bool same_size = rendered_ && Size{rendered_->width(), rendered_->height()} == size;
+  if (same_size && rendered_view_ == view) return *rendered_;
+
+  rendered_view_.reset();
+  if (!same_size) rendered_ = std::make_unique<FrameBuffer>(size.width, size.height, /*color=*/true, /*depth=*/false);
+  ImageSettings color_alone = shot_image_;
+  color_alone.color = true;
+  color_alone.depth = false;
+  show(view, size, color_alone);
+
+  const auto start = std::chrono::steady_clock::now();
+  renderer_->render(plan_frame(scene_, frames_[view.step]), *rendered_);
+  milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  if (rendered_count_++ == 0 && session_) session_->store_programs();
+  rendered_view_ = view;
+  return *rendered_;
+}
+
+std::string FrameSource::export_frame(const View& view, const Size& size, const std::string& pattern) {
+  show(view, size, shot_image_);
+  RenderJob job;
+  job.pattern = pattern;
+  job.frames = {frames_[view.step]};
+  job.fingerprint = fingerprint(scene_);
+  const FrameResult result = run(job, scene_, *renderer_).frames.at(0);
+  if (result.status == FrameResult::Status::failed) {
+    throw Error(static_cast<ErrorKind>(result.error_code), "", result.error);
+  }
+  return result.path;
+}
+
+}  // namespace morphcl::viewer

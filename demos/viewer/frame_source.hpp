@@ -1,0 +1,60 @@
+// The frames of a demo: a scene, a renderer, and the view that is asked for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/viewer/demo_settings.hpp"
+#include "demos/viewer/demo_state.hpp"
+#include "host/device/session.hpp"
+#include "host/render/renderer.hpp"
+#include "host/scene/scene.hpp"
+
+namespace morphcl::viewer {
+
+struct Size {
+  int width = 0, height = 0;  // pixels, 1 to 16384
+  bool operator==(const Size&) const = default;
+};
+
+class FrameSource {
+ public:
+  // Without a session frames come from the reference renderer. Error(bad_input) when the scene has no frames.
+  FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Session> session);
+
+  DemoLimits limits() const { return {static_cast<int>(frames_.size()) - 1}; }
+  View first_view() const;
+  double frames_per_second() const;
+
+  // The colour of a view. Rendered only when view or size differ from the last call's; valid until the next call.
+  const FrameBuffer& render(const View& view, const Size& size);
+  double milliseconds() const { return milliseconds_; }  // that the last rendering took: plan and kernels
+  // Counts what render() really rendered.
+  int rendered_count() const { return rendered_count_; }
+
+  // Writes the view with the shot's own channels and compression, as `morphcl render` does; `pattern` as in
+  // host/job/render_job.hpp. Returns the path. Throws what writing and rendering throw.
+  std::string export_frame(const View& view, const Size& size, const std::string& pattern);
+
+ private:
+  void show(const View& view, const Size& size, const ImageSettings& image);
+
+  Scene scene_;
+  const DemoSettings settings_;
+  const std::shared_ptr<Session> session_;
+  const std::unique_ptr<Renderer> renderer_;
+  const std::vector<std::int64_t> frames_;  // one a step
+  const Camera shot_camera_;
+  const ImageSettings shot_image_;
+  const std::string shot_hash_;
+
+  std::optional<View> rendered_view_;
+  std::unique_ptr<FrameBuffer> rendered_;
+  double milliseconds_ = 0;
+  int rendered_count_ = 0;
+};
+
+}  // namespace morphcl::viewer

@@ -1,0 +1,27 @@
+// The command line of the demos.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demos/viewer/demo_settings.hpp"
+#include "demos/viewer/frame_source.hpp"
+#include "demos/viewer/key_script.hpp"
+
+namespace morphcl::viewer {
+
+struct DemoOptions {
+  std::string shot;              // path; empty: the demo's own
+  std::vector<KeyPress> script;  // pressed one after the other, before the keyboard
+  bool headless = false;
+  std::string out;     // headless: the file of the last frame, .exr or .png; empty: none
+  std::string device;  // as SessionOptions::device, or "reference"
+  int threads = 0;     // as SessionOptions::threads
+  Size size;
+};
+
+// None when --help was asked for and printed. Error(usage) for everything that makes no sense.
+std::optional<DemoOptions> parse_options(const DemoSettings& settings, int argc, const char* const* argv);
+
+}  // namespace morphcl::viewer

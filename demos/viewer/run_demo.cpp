@@ -1,0 +1,59 @@
+#include "demos/viewer/run_demo.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "demos/viewer/demo_session.hpp"
+#include "demos/viewer/frame_source.hpp"
+#include "demos/viewer/options.hpp"
+#include "demos/viewer/run_headless.hpp"
+#include "demos/viewer/run_window.hpp"
+#include "demos/viewer/shot_path.hpp"
+#include "host/error.hpp"
+#include "host/scene/load_scene.hpp"
+
+namespace morphcl::viewer {
+namespace {
+
+std::shared_ptr<Session> open_session(const DemoOptions& options) {
+  if (options.device == "reference") return nullptr;
+  SessionOptions session;
+  session.device = options.device;
+  session.threads = options.threads;
+  return Session::open(session);
+}
+
+void run(const DemoSettings& settings, const DemoOptions& options) {
+  if (options.device != "reference") prepare_process(options.threads);
+  std::unique_ptr<Window> window;
+  if (!options.headless) window = std::make_unique<Window>(settings.name, options.size);
+
+  Scene scene = load_scene(options.shot.empty() ? find_shot(settings.shot) : options.shot, LoadOptions{});
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}: {}\n", settings.name, warning);
+  FrameSource frames(std::move(scene), settings, open_session(options));
+  DemoSession session(settings, frames);
+  if (window) {
+    run_window(*window, session, options.script, frames.frames_per_second());
+  } else {
+    run_headless(frames, session, options.script, options.size, options.out);
+  }
+}
+
+}  // namespace
+
+int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
+  try {
+    if (const auto options = parse_options(settings, argc, argv)) run(settings, *options);
+    return 0;
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}: {}\n", settings.name, error.what());
+    return error.exit_code();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", settings.name, printable(error.what()));
+    return static_cast<int>(ErrorKind::internal);
+  }
+}
+
+}  // namespace morphcl::viewer

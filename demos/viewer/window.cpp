@@ -1,0 +1,131 @@
+#include "demos/viewer/window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "host/error.hpp"
+
+namespace morphcl::viewer {
+
+struct Window::Impl {
+  GLFWwindow* handle = nullptr;
+  std::vector<KeyEvent> key_events;
+  bool damaged = true;
+};
+
+namespace {
+
+std::optional<Key> named_key(int glfw_key) {
+  switch (glfw_key) {
+    case GLFW_KEY_SPACE:
+      return Key::play;
+    case GLFW_KEY_LEFT:
+      return Key::orbit_left;
+    case GLFW_KEY_RIGHT:
+      return Key::orbit_right;
+    case GLFW_KEY_UP:
+      return Key::orbit_up;
+    case GLFW_KEY_DOWN:
+      return Key::orbit_down;
+    case GLFW_KEY_ESCAPE:
+      return Key::leave;
+    default:
+      return std::nullopt;
+  }
+}
+
+// GLFW names keys by their place on a US keyboard; what counts is the letter that is printed on the key. On a keyboard
+// without Latin letters the place decides.
+std::optional<Key> key_of(int glfw_key, int scancode) {
+  if (const auto key = named_key(glfw_key)) return key;
+  if (const char* printed = glfwGetKeyName(glfw_key, scancode)) {
+    const std::string_view name = printed;
+    if (name.size() == 1) return find_key(name);
+  }
+  if (glfw_key < GLFW_KEY_A || glfw_key > GLFW_KEY_Z) return std::nullopt;
+  const char letter = static_cast<char>(glfw_key);
+  return find_key(std::string_view(&letter, 1));
+}
+
+Error no_window(std::string_view what) {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return Error(ErrorKind::no_device, "",
+               fmt::format("{} ({}); use --headless", what, printable(description ? description : "no reason given")));
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, const Size& size) : impl_(std::make_unique<Impl>()) {
+  if (glfwInit() == GLFW_FALSE) throw no_window("no display");
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  impl_->handle = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
+  if (impl_->handle == nullptr) {
+    const Error error = no_window("no window with OpenGL on this display");
+    glfwTerminate();
+    throw error;
+  }
+  glfwSetWindowUserPointer(impl_->handle, impl_.get());
+  glfwSetKeyCallback(impl_->handle, [](GLFWwindow* handle, int glfw_key, int scancode, int action, int) {
+    const auto key = key_of(glfw_key, scancode);
+    // Keys that are held down repeat by our own clock (hold_repeat.hpp).
+    if (!key || action == GLFW_REPEAT) return;
+    static_cast<Impl*>(glfwGetWindowUserPointer(handle))->key_events.push_back({*key, action == GLFW_PRESS});
+  });
+  glfwSetWindowRefreshCallback(
+      impl_->handle, [](GLFWwindow* handle) { static_cast<Impl*>(glfwGetWindowUserPointer(handle))->damaged = true; });
+  glfwMakeContextCurrent(impl_->handle);
+  glfwSwapInterval(1);
+}
+
+Window::~Window() {
+  glfwDestroyWindow(impl_->handle);
+  glfwTerminate();
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(impl_->handle) != GLFW_FALSE; }
+
+Size Window::size() const {
+  Size size;
+  glfwGetFramebufferSize(impl_->handle, &size.width, &size.height);
+  return size;
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(impl_->handle, title.c_str()); }
+
+static_assert(sizeof(Rgb) == 3, "OpenGL reads the pixels as packed bytes");
+
+void Window::show(const RgbImage& picture) {
+  const Size pixels = size();
+  glViewport(0, 0, pixels.width, pixels.height);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_DITHER);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  // From the upper left corner downwards: no scaling, no filter, no texture size limit.
+  glRasterPos2f(-1.0f, 1.0f);
+  glPixelZoom(1.0f, -1.0f);
+  glDrawPixels(picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
+  glfwSwapBuffers(impl_->handle);
+}
+
+void Window::wait_for_events(double seconds) {
+  if (std::isinf(seconds)) {
+    glfwWaitEvents();
+  } else if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+std::vector<KeyEvent> Window::take_key_events() { return std::exchange(impl_->key_events, {}); }
+
+bool Window::take_damage() { return std::exchange(impl_->damaged, false); }
+
+}  // namespace morphcl::viewer
