@@ -8,10 +8,31 @@ namespace morphcl {
 
 namespace {
 
-// Vertices of one grid; a solid is one grid or, for the teapot, 32.
-long long vertex_count(const SolidInfo& solid, Segments segments) {
-  const long long grid = (segments.u + 1LL) * (segments.v + 1LL);
-  return solid.make == make_teapot ? 32 * grid : grid;
+struct Request {
+  const SolidInfo* solid;
+  Segments segments;
+  long long vertices;
+};
+
+// What `name` and `segments` ask for, checked.
+Request checked(std::string_view name, std::optional<Segments> given) {
+  const SolidInfo* solid = find_solid(name);
+  if (!solid) throw Error(ErrorKind::usage, "", fmt::format("there is no built-in solid \"{}\"", name));
+  const Segments minimum = solid->minimum, segments = given.value_or(solid->standard);
+  if (given && minimum.u == 0)
+    throw Error(ErrorKind::usage, "", fmt::format("the solid \"{}\" takes no segments", name));
+  if (segments.u < minimum.u || segments.v < minimum.v)
+    throw Error(ErrorKind::usage, "",
+                fmt::format("segments [{}, {}] are too few; \"{}\" needs at least [{}, {}]", segments.u, segments.v,
+                            name, minimum.u, minimum.v));
+  const bool countable =
+      segments.u < max_solid_vertices && segments.v < max_solid_vertices;  // the product fits 64 bits
+  const long long vertices = countable ? solid->grids * (segments.u + 1LL) * (segments.v + 1LL) : 0;
+  if (!countable || vertices > max_solid_vertices)
+    throw Error(ErrorKind::usage, "",
+                fmt::format("segments [{}, {}] make more than the {} vertices that are allowed", segments.u, segments.v,
+                            max_solid_vertices));
+  return {solid, segments, vertices};
 }
 
 }  // namespace
@@ -21,14 +42,15 @@ const std::vector<SolidInfo>& solids() {
       {"pyramid_to_cube",
        {0, 0},
        {0, 0},
+       8,
        "a pyramid with the morph target \"cube\", a box",
        [](Segments) { return make_pyramid_to_cube(); }},
-      {"cube", {0, 0}, {0, 0}, "a cube of half-edge 1", [](Segments) { return make_cube(); }},
-      {"sphere", {3, 2}, {64, 32}, "a sphere of radius 1", make_sphere},
-      {"sphere_to_cube", {3, 2}, {64, 32}, "a sphere with the morph target \"cube\"", make_sphere_to_cube},
-      {"torus", {3, 3}, {64, 32}, "a ring of radius 0.7 with a tube of radius 0.3", make_torus},
-      {"grid", {1, 1}, {10, 10}, "a square of half-edge 1 in the xz plane", make_grid},
-      {"teapot", {1, 1}, {10, 10}, "Newell's teapot; segments are those of each of its 32 patches", make_teapot},
+      {"cube", {0, 0}, {0, 0}, 24, "a cube of half-edge 1", [](Segments) { return make_cube(); }},
+      {"sphere", {3, 2}, {64, 32}, 1, "a sphere of radius 1", make_sphere},
+      {"sphere_to_cube", {3, 2}, {64, 32}, 1, "a sphere with the morph target \"cube\"", make_sphere_to_cube},
+      {"torus", {3, 3}, {64, 32}, 1, "a ring of radius 0.7 with a tube of radius 0.3", make_torus},
+      {"grid", {1, 1}, {10, 10}, 1, "a square of half-edge 1 in the xz plane", make_grid},
+      {"teapot", {1, 1}, {10, 10}, 32, "Newell's teapot; segments are those of each of its 32 patches", make_teapot},
   };
   return all;
 }
@@ -39,22 +61,13 @@ const SolidInfo* find_solid(std::string_view name) {
   return nullptr;
 }
 
+long long solid_vertices(std::string_view name, std::optional<Segments> segments) {
+  return checked(name, segments).vertices;
+}
+
 Mesh make_solid(std::string_view name, std::optional<Segments> segments) {
-  const SolidInfo* solid = find_solid(name);
-  if (!solid) throw Error(ErrorKind::usage, "", fmt::format("there is no built-in solid \"{}\"", name));
-  if (!segments) return solid->make(solid->standard);
-  const Segments minimum = solid->minimum;
-  if (minimum.u == 0) throw Error(ErrorKind::usage, "", fmt::format("the solid \"{}\" takes no segments", name));
-  if (segments->u < minimum.u || segments->v < minimum.v)
-    throw Error(ErrorKind::usage, "",
-                fmt::format("segments [{}, {}] are too few; \"{}\" needs at least [{}, {}]", segments->u, segments->v,
-                            name, minimum.u, minimum.v));
-  const long long vertices = vertex_count(*solid, *segments);
-  if (vertices > max_solid_vertices)
-    throw Error(ErrorKind::usage, "",
-                fmt::format("segments [{}, {}] make {} vertices; at most {} are allowed", segments->u, segments->v,
-                            vertices, max_solid_vertices));
-  return solid->make(*segments);
+  const Request request = checked(name, segments);
+  return request.solid->make(request.segments);
 }
 
 }  // namespace morphcl

@@ -22,6 +22,7 @@ struct SolidInfo {
   std::string_view name;
   Segments minimum;  // {0, 0}: the solid has no segments
   Segments standard;
+  int grids;  // it has grids (u+1)(v+1) vertices
   std::string_view description;
   Mesh (*make)(Segments);
 };
@@ -37,6 +38,9 @@ const SolidInfo* find_solid(std::string_view name);
 Mesh make_solid(std::string_view name, std::optional<Segments> segments = std::nullopt);
 
 constexpr long long max_solid_vertices = 1LL << 27;
+
+// How many vertices make_solid would make. Throws the same errors, and makes nothing.
+long long solid_vertices(std::string_view name, std::optional<Segments> segments = std::nullopt);
 
 // The makers below do not check their segments: make_solid does.
 

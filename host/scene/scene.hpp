@@ -8,6 +8,7 @@
 
 #include "anim/timeline.hpp"
 #include "host/geometry/mesh.hpp"
+#include "host/scene/frame_range.hpp"
 
 namespace morphcl {
 
@@ -26,12 +27,10 @@ struct Object {
   Material material;
 };
 
-struct FrameRange {  // first, first + step, ... up to last
-  std::int64_t first = 0, last = 0, step = 1;
-};
+constexpr int max_image_size = 16384;
 
 struct ImageSettings {
-  int width = 1920, height = 1080;  // pixels, 1 to 16384
+  int width = 1920, height = 1080;  // pixels, 1 to max_image_size
   bool color = true;                // RGBA half
   bool depth = true;                // Z float
   std::string compression = "zip";
@@ -48,7 +47,8 @@ struct Scene {
   std::string content_hash;           // hex xxh3-128 of every byte read for this scene: part of the fingerprint
 };
 
-// Cross-checks everything that a renderer relies on: indices, one weight list an object, finite values. Importers call it.
+// Cross-checks everything that a renderer relies on: indices, one weight list an object, finite values. Importers call
+// it.
 void validate(const Scene& scene);
 
 }  // namespace morphcl

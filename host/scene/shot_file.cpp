@@ -1,0 +1,57 @@
+#include "host/scene/shot_file.hpp"
+
+#include "host/scene/content_hash.hpp"
+#include "host/scene/fitted_camera.hpp"
+#include "host/scene/input_file.hpp"
+#include "host/scene/mesh_library.hpp"
+#include "host/scene/shot_camera.hpp"
+#include "host/scene/shot_light.hpp"
+#include "host/scene/shot_object.hpp"
+#include "host/scene/shot_settings.hpp"
+#include "host/scene/shot_track.hpp"
+#include "host/scene/shot_value.hpp"
+#include "host/scene/toml_document.hpp"
+
+namespace morphcl {
+
+namespace {
+
+void read_image_and_time(const ShotTable& shot, const LoadOptions& options, Scene& scene) {
+  scene.image = read_image_settings(shot.find("image"));
+  scene.image.width = options.width.value_or(scene.image.width);
+  scene.image.height = options.height.value_or(scene.image.height);
+  FrameSettings frames = read_frame_settings(shot.find("frames"));
+  scene.timeline.time = options.fps.value_or(frames.time);
+  scene.frames = std::move(frames.ranges);
+}
+
+}  // namespace
+
+Scene read_shot(const std::string& path, const LoadOptions& options) {
+  const std::string text = read_input_file(path, max_toml_bytes);
+  const TomlValue document = parse_toml(text, path);
+  const ShotTable shot =
+      ShotValue(path, document, "a shot").table({"image", "frames", "ambient", "camera", "light", "object"});
+  Scene scene;
+  read_image_and_time(shot, options, scene);
+  TrackReader tracks(scene.timeline.time);
+  if (const auto ambient = shot.find("ambient")) scene.timeline.ambient = ambient->color();
+  const auto camera = shot.find("camera");
+  if (camera) scene.timeline.camera = read_camera(*camera, tracks);
+  shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
+
+  MeshLibrary library(path, scene.timeline.time, options.allow_outside);
+  ObjectReader objects(library, tracks, scene);
+  shot.for_each("object", [&](const ShotValue& object) { objects.read(object); });
+  scene.meshes = library.take_meshes();
+  scene.warnings = library.warnings();
+  complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});
+
+  ContentHash hash;
+  hash.add(text);
+  library.add_to(hash);
+  scene.content_hash = hash.hex();
+  return scene;
+}
+
+}  // namespace morphcl

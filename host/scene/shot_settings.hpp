@@ -1,0 +1,21 @@
+// The [image] and [frames] tables of a shot file.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "anim/time_base.hpp"
+#include "host/scene/scene.hpp"
+#include "host/scene/shot_value.hpp"
+
+namespace morphcl {
+
+ImageSettings read_image_settings(const std::optional<ShotValue>& image);
+
+struct FrameSettings {
+  TimeBase time;
+  std::vector<FrameRange> ranges;  // empty: the shot does not say
+};
+FrameSettings read_frame_settings(const std::optional<ShotValue>& frames);
+
+}  // namespace morphcl
