@@ -44,6 +44,14 @@ std::int64_t TimeBase::seconds_to_ticks(double seconds) const {
   return product_in_ticks(seconds, ticks_per_second(), "seconds");
 }
 
+std::int64_t TimeBase::float_seconds_to_ticks(float seconds) const {
+  const std::int64_t ticks = seconds_to_ticks(seconds);
+  const double frame = std::nearbyint(static_cast<double>(ticks) / static_cast<double>(ticks_per_frame()));
+  const double frame_seconds = frame * static_cast<double>(fps_denominator) / static_cast<double>(fps_numerator);
+  const bool on_frame = static_cast<float>(frame_seconds) == seconds;
+  return on_frame ? static_cast<std::int64_t>(frame) * ticks_per_frame() : ticks;
+}
+
 std::int64_t TimeBase::frames_to_ticks(double frame) const {
   return product_in_ticks(frame, ticks_per_frame(), "frames");
 }

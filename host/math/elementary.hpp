@@ -9,7 +9,7 @@ namespace morphcl {
 double sine_tail(double z);
 double cosine_tail(double z);
 
-// sin(x) / x for |x| <= pi/2, and 1 at x = 0; within 3u relative.
+// sin(x) / x for |x| <= pi/2, and 1 at x = 0; within 6u relative.
 double sinc(double x);
 
 // The angle in radians, in [0, pi/2], of the vector (x, y) with x, y >= 0 and not both 0; within 12u relative. The

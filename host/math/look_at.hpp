@@ -2,7 +2,7 @@
 //
 // The up vector is repaired: only its part across the view axis is used (Kahan cross products). When it is 0 or closer
 // to the view axis than 1e-12 radians, a fixed basis is used instead (the world axis least aligned with the view, ties
-// to x, y, z in that order) and `up_replaced` reports it. Otherwise each entry of the rotation is within 8u64 of the
+// to x, y, z in that order) and `up_replaced` reports it. Otherwise each entry of the rotation is within 16u64 of the
 // exact one for the given numbers, however close up and view axis are.
 #pragma once
 

@@ -32,7 +32,7 @@ using Projection = std::variant<Perspective, Frustum, Orthographic>;
 // right, bottom > top) are refused: they would turn front faces into back faces unseen.
 void validate(const Projection& projection);
 
-// The OpenGL-style matrix, each entry within 4u64 relative of the exact one. `aspect` is width / height of the
+// The OpenGL-style matrix, each entry within 8u64 relative of the exact one. `aspect` is width / height of the
 // image, > 0, and is used by Perspective only. Error(usage) also when an entry overflows.
 glm::dmat4 projection_matrix(const Projection& projection, double aspect);
 

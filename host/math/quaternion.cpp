@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/math/elementary.hpp"
+#include "host/math/kahan.hpp"
 
 namespace morphcl {
 
@@ -15,16 +16,20 @@ double dot(const glm::dquat& a, const glm::dquat& b) {
 
 double length(const glm::dquat& q) { return std::sqrt(dot(q, q)); }
 
-// 2 atan(|a - b| / |a + b|) of unit quaternions with a . b >= 0.
-double angle_of_unit(const glm::dquat& a, const glm::dquat& b) {
-  return 2 * quadrant_angle(length(a - b), length(a + b));
-}
-
 glm::dquat scaled_to_one(const glm::dquat& q) {
   int exponent = 0;
   std::frexp(std::max({std::abs(q.x), std::abs(q.y), std::abs(q.z), std::abs(q.w)}), &exponent);
   return {std::ldexp(q.w, -exponent), std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent),
           std::ldexp(q.z, -exponent)};
+}
+
+// Both scaled to one; the angle between them, sign ignored.
+double angle_of_scaled(const glm::dquat& a, const glm::dquat& b) {
+  const glm::dvec3 planes_xyz = kahan_cross(glm::dvec3(a.x, a.y, a.z), glm::dvec3(b.x, b.y, b.z));
+  const glm::dvec3 planes_w(difference_of_products(a.w, b.x, a.x, b.w), difference_of_products(a.w, b.y, a.y, b.w),
+                            difference_of_products(a.w, b.z, a.z, b.w));
+  const double wedge = std::sqrt(glm::dot(planes_xyz, planes_xyz) + glm::dot(planes_w, planes_w));
+  return quadrant_angle(wedge, std::abs(dot(a, b)));
 }
 
 // b or -b, whichever is nearer to a.
@@ -52,13 +57,12 @@ glm::dmat3 rotation_matrix(const glm::dquat& q) {
 }
 
 double angle_between(const glm::dquat& a, const glm::dquat& b) {
-  const glm::dquat from = normalized(a);
-  return angle_of_unit(from, towards(from, normalized(b)));
+  return angle_of_scaled(scaled_to_one(a), scaled_to_one(b));
 }
 
 glm::dquat slerp(const glm::dquat& a, const glm::dquat& b, double t) {
   const glm::dquat from = normalized(a), to = towards(from, normalized(b));
-  const double angle = angle_of_unit(from, to);
+  const double angle = angle_between(a, b);
   const double whole = sinc(angle);
   const double from_weight = (1 - t) * sinc((1 - t) * angle) / whole;
   const double to_weight = t * sinc(t * angle) / whole;

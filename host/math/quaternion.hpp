@@ -16,8 +16,8 @@ glm::dquat normalized(const glm::dquat& q);
 glm::dmat3 rotation_matrix(const glm::dquat& q);
 
 // Angle in radians, in [0, pi/2], between two quaternions as 4-vectors, sign ignored; half the angle of the rotation
-// from a to b. 2 atan2(|a - b|, |a + b|), which keeps its relative accuracy (16u) for nearly equal ones, where acos has
-// none.
+// from a to b. atan2(|a ^ b|, |a . b|) with Kahan differences in the wedge product: within 24u relative however nearly
+// equal the two are and whatever their lengths, where acos has no correct digit left.
 double angle_between(const glm::dquat& a, const glm::dquat& b);
 
 // Spherical interpolation along the shorter arc at t in [0, 1]; unit length within 8u. With sinc in place of sin the
