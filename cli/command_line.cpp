@@ -35,7 +35,7 @@ Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong
 
 void add_scene_options(CLI::App& command, SceneOptions& scene) {
   command.add_option("SCENE", scene.path, "Shot (.toml) or model (.gltf, .glb, .obj)")->required();
-  const auto image = [&command](const char* name, std::string& value, const char* help) {
+  const auto image = [&command](const char* name, std::optional<std::string>& value, const char* help) {
     return command.add_option(name, value, help)->group("Image");
   };
   image("--size", scene.size, "Pixels, 1 to 16384 each; default: the shot's, 1920x1080 for a model")->type_name("WxH");

@@ -10,7 +10,7 @@ OpenedRenderer open_renderer(const DeviceOptions& options) {
   if (options.device == "reference") {
     opened.renderer = make_reference_renderer();
     opened.device_name = opened.renderer->name();
-    opened.threads = 1;
+    opened.threads = options.threads;
     return opened;
   }
   opened.threads = prepare_process(options.threads);

@@ -18,9 +18,10 @@ struct OpenedRenderer {
   std::shared_ptr<Session> session;  // null for the reference renderer
   std::unique_ptr<Renderer> renderer;
   std::string device_name;
-  int threads = 0;
+  int threads = 0;  // 0: not decided, one a CPU
 
-  // Keeps what the device's compiler made for the next process. Called when at least one frame was rendered.
+  // Keeps what the device's compiler made for the next process; call it once a frame was rendered. May run beside a
+  // render.
   void store_programs() const;
 };
 

@@ -1,6 +1,6 @@
 #include "cli/render_command.hpp"
 
-#include <filesystem>
+#include <future>
 
 #include "cli/console.hpp"
 #include "cli/render_report.hpp"
@@ -12,15 +12,16 @@ namespace morphcl::cli {
 
 int render_command(const RenderOptions& options) {
   const std::atomic<bool>& stop = stop_requested();
-  std::vector<FrameRange> ranges;
-  if (!options.frames.empty()) ranges = parse_frame_range(options.frames);
+  std::optional<std::vector<FrameRange>>
+      ranges;  // read first, so that a wrong one is reported before a large file is read
+  if (options.frames) ranges = parse_frame_range(*options.frames);
 
   Scene scene = open_scene(options.scene);
-  if (!ranges.empty()) scene.frames = ranges;
+  if (ranges) scene.frames = *ranges;
   for (const std::string& warning : scene.warnings) print_message("warning: " + printable(warning));
 
   RenderJob job;
-  job.pattern = options.pattern.empty() ? scene.name + ".####.exr" : options.pattern;
+  job.pattern = options.pattern.value_or(scene.name + ".####.exr");
   job.frames = frame_numbers(scene.frames);
   job.resume = options.resume;
   job.verify = options.verify;
@@ -30,17 +31,20 @@ int render_command(const RenderOptions& options) {
   job.stop = &stop;
 
   const OpenedRenderer opened = open_renderer(options.device);
+  job.threads = opened.threads;
   RenderReport::Settings settings;
   settings.device = opened.device_name;
   if (!options.contact_sheet.empty()) settings.extra_outputs.push_back(options.contact_sheet);
   settings.json = options.json;
   settings.quiet = options.quiet;
   RenderReport report(job.frames.size(), settings);
-  job.on_frame = [&report](const FrameResult& result) { report.frame(result); };
-  const JobResult result = run(job, scene, *opened.renderer);
-  const int code = report.finish(result);
-  opened.store_programs();
-  return code;
+  std::future<void> programs_stored;  // from the first frame on, as it takes about as long as compiling them did
+  job.on_frame = [&](const FrameResult& result) {
+    report.frame(result);
+    if (result.status == FrameResult::Status::rendered && !programs_stored.valid())
+      programs_stored = std::async(std::launch::async, [&opened] { opened.store_programs(); });
+  };
+  return report.finish(run(job, scene, *opened.renderer));
 }
 
 }  // namespace morphcl::cli

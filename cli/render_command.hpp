@@ -1,6 +1,7 @@
 // morphcl render: frames of a shot or model into EXR files.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/open_renderer.hpp"
@@ -11,10 +12,10 @@ namespace morphcl::cli {
 struct RenderOptions {
   SceneOptions scene;
   DeviceOptions device;
-  std::string pattern;        // "" NAME.####.exr
-  std::string frames;         // "" the shot's range
-  std::string contact_sheet;  // PNG of all frames; "" none
-  bool preview = false;       // a PNG beside each frame
+  std::optional<std::string> pattern;  // absent: NAME.####.exr
+  std::optional<std::string> frames;   // absent: the shot's range
+  std::string contact_sheet;           // PNG of all frames; "" none
+  bool preview = false;                // a PNG beside each frame
   bool resume = false;
   bool verify = false;
   bool json = false;

@@ -8,19 +8,19 @@ namespace morphcl::cli {
 Scene open_scene(const SceneOptions& options) {
   LoadOptions load;
   load.allow_outside = options.allow_outside;
-  if (!options.fps.empty()) load.fps = parse_fps(options.fps);
+  if (options.fps) load.fps = parse_fps(*options.fps);
   ImageSettings checked;  // so that a wrong option is reported before a large file is read
-  if (!options.size.empty()) {
-    const ImageSize size = parse_size(options.size);
+  if (options.size) {
+    const ImageSize size = parse_size(*options.size);
     load.width = size.width;
     load.height = size.height;
   }
-  if (!options.channels.empty()) set_channels(options.channels, checked);
-  if (!options.compression.empty()) set_compression(options.compression, checked);
+  if (options.channels) set_channels(*options.channels, checked);
+  if (options.compression) set_compression(*options.compression, checked);
 
   Scene scene = load_scene(options.path, load);
-  if (!options.channels.empty()) set_channels(options.channels, scene.image);
-  if (!options.compression.empty()) set_compression(options.compression, scene.image);
+  if (options.channels) set_channels(*options.channels, scene.image);
+  if (options.compression) set_compression(*options.compression, scene.image);
   return scene;
 }
 

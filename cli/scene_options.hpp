@@ -1,19 +1,20 @@
 // Which scene a command works on: the shot or model, and what the command line says otherwise about its image and time.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host/scene/scene.hpp"
 
 namespace morphcl::cli {
 
-// An empty text leaves what the shot says.
+// What is absent stays as the shot has it.
 struct SceneOptions {
-  std::string path;         // .toml, .gltf, .glb or .obj
-  std::string size;         // "1920x1080"
-  std::string channels;     // "RGBA,Z"
-  std::string compression;  // "zip"
-  std::string fps;          // "25", "30000/1001"
+  std::string path;                        // .toml, .gltf, .glb or .obj
+  std::optional<std::string> size;         // "1920x1080"
+  std::optional<std::string> channels;     // "RGBA,Z"
+  std::optional<std::string> compression;  // "zip"
+  std::optional<std::string> fps;          // "25", "30000/1001"
   bool allow_outside = false;
 };
 
