@@ -1,4 +1,5 @@
-// The plan of a frame: what has to be done for this scene at this frame with these options, and what is left out and why.
+// The plan of a frame: what has to be done for this scene at this frame with these options, and what is left out and
+// why.
 //
 // Everything that needs fp64 or trigonometry happens here; what the renderers get is rounded to fp32 once, the same for
 // device and reference.
@@ -6,6 +7,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,18 +20,18 @@ namespace morphcl {
 using Row = std::array<float, 4>;
 
 struct ActiveTarget {
-  int target;        // index into the mesh's targets
-  float weight;      // the target's factor
-  float base_weight; // the base's factor: -weight for an absolute target, 0 for a delta
+  int target;         // index into the mesh's targets
+  float weight;       // the target's factor
+  float base_weight;  // the base's factor: -weight for an absolute target, 0 for a delta
 };
 
 struct Draw {
   const Mesh* mesh = nullptr;
   Shading shading = Shading::flat;
   bool double_sided = false;
-  bool mirrored = false;  // the object's transform has a negative determinant: front faces turn clockwise
-  std::array<Row, 4> object_to_clip;                  // rows x, y, depth, w
-  std::array<Row, 3> object_to_eye;                   // for lighting: positions
+  bool mirrored = false;              // the object's transform has a negative determinant: front faces turn clockwise
+  std::array<Row, 4> object_to_clip;  // rows x, y, depth, w
+  std::array<Row, 3> object_to_eye;   // for lighting: positions
   std::array<std::array<float, 3>, 3> normal_to_eye;  // inverse transpose, scaled by a power of two
   std::array<float, 4> base_color;
   bool vertex_colors = false;
@@ -56,11 +58,13 @@ struct FramePlan {
   std::vector<Draw> draws;
   std::vector<EyeLight> lights;
   std::array<float, 3> ambient{};
-  bool parallel = false;      // orthographic: w is 1 everywhere
-  float near_w = 0;           // clip against w >= near_w (perspective) or depth <= near_depth (parallel)
-  float near_depth = 0;       // the depth value on the near plane; larger depth is nearer
-  float far_depth = 0;        // the depth value on the far plane: a sample at or below it is not drawn
-  float near = 0;             // perspective: Z = near / depth; parallel: Z = -depth
+  bool parallel = false;              // orthographic: w is 1 everywhere
+  std::array<float, 3> near_plane{};  // distance in front of it: [0] depth row + [1] w row + [2]; 0 or more is drawn
+  float near_w = 1;                   // w on the near plane
+  float near_depth = 0;               // depth on the near plane; larger depths are nearer
+  float far_depth = 0;                // depth on the far plane: smaller ones are not drawn
+  float near = 0;                     // perspective: Z = near / depth; parallel: Z = -depth
+  bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
   // Eye position of a pixel for point lights, from its centre (x, y) and its distance d along the axis:
   // (x * ray[0] + ray[1]) * (parallel ? 1 : d) and so on for y with ray[2], ray[3].
   std::array<float, 4> ray{};
@@ -68,6 +72,21 @@ struct FramePlan {
   std::vector<PlanNote> notes;
 };
 
+// Plans frames of one scene; keeps what does not change from frame to frame (the bounds of every mesh). The scene must
+// outlive the planner, and the plans refer to its meshes.
+class Planner {
+ public:
+  explicit Planner(const Scene& scene);
+  ~Planner();
+  // Error(bad_input) naming the frame when its camera or a transform is degenerate or leaves fp32.
+  FramePlan plan(std::int64_t frame) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// For a single frame: Planner(scene).plan(frame).
 FramePlan plan_frame(const Scene& scene, std::int64_t frame);
 
 }  // namespace morphcl

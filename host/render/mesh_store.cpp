@@ -1,0 +1,140 @@
+#include "host/render/mesh_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/error.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::size_t padding = layout::lanes;
+
+std::size_t padded(std::size_t count) { return (count + padding - 1) / padding * padding; }
+
+// Hands out room in a buffer that is filled later.
+class Allocation {
+ public:
+  explicit Allocation(std::size_t limit_bytes) : limit_(limit_bytes) {}
+  layout::uint take(std::size_t elements) {
+    const std::size_t at = size_;
+    size_ += elements;
+    if (size_ * 4 > limit_)
+      throw Error(ErrorKind::bad_input, "",
+                  fmt::format("the meshes need more than the {} MiB that the device allocates at once; use fewer "
+                              "vertices or morph targets, or another device",
+                              limit_ >> 20));
+    return static_cast<layout::uint>(at);
+  }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::size_t limit_, size_ = 0;
+};
+
+template <class Vector>
+void write_planes(const std::vector<Vector>& values, std::size_t pitch, float* out) {
+  for (int component = 0; component < Vector::length(); ++component) {
+    float* plane = out + component * pitch;
+    for (std::size_t i = 0; i < values.size(); ++i) plane[i] = values[i][component];
+    std::fill(plane + values.size(), plane + pitch, plane[values.size() - 1]);
+  }
+}
+
+StoredMesh::Primitives place_primitives(std::size_t count, Allocation& indices) {
+  StoredMesh::Primitives placed;
+  placed.count = static_cast<layout::uint>(count);
+  placed.pitch = static_cast<layout::uint>(padded(count));
+  placed.blocks = placed.pitch / layout::lanes;
+  placed.indices = indices.take(3 * padded(count));
+  return placed;
+}
+
+// Padding repeats vertex 0: a triangle without area, a line without length.
+template <class Primitive>
+void write_primitives(const std::vector<Primitive>& primitives, const StoredMesh::Primitives& placed,
+                      layout::uint* out) {
+  for (int corner = 0; corner < 3; ++corner) {
+    layout::uint* plane = out + placed.indices + corner * placed.pitch;
+    const int component = std::min(corner, Primitive::length() - 1);
+    for (std::size_t i = 0; i < primitives.size(); ++i) plane[i] = primitives[i][component];
+    std::fill(plane + primitives.size(), plane + placed.pitch, 0u);
+  }
+}
+
+StoredMesh place(const Mesh& mesh, Allocation& data) {
+  StoredMesh placed;
+  const std::size_t pitch = padded(mesh.positions.size());
+  placed.pitch = static_cast<layout::uint>(pitch);
+  placed.vertex_groups = placed.pitch / layout::lanes;
+  placed.positions = data.take(3 * pitch);
+  if (!mesh.normals.empty()) placed.normals = data.take(3 * pitch);
+  if (!mesh.colors.empty()) placed.colors = data.take(4 * pitch);
+  for (const MorphTarget& target : mesh.targets) {
+    StoredMesh::Target& stored = placed.targets.emplace_back();
+    if (!target.positions.empty()) stored.positions = data.take(3 * pitch);
+    if (!target.normals.empty() && !mesh.normals.empty()) stored.normals = data.take(3 * pitch);
+    if (!target.colors.empty() && !mesh.colors.empty()) stored.colors = data.take(4 * pitch);
+  }
+  return placed;
+}
+
+void write(const Mesh& mesh, const StoredMesh& placed, float* data) {
+  write_planes(mesh.positions, placed.pitch, data + placed.positions);
+  if (placed.normals != layout::no_id) write_planes(mesh.normals, placed.pitch, data + placed.normals);
+  if (placed.colors != layout::no_id) write_planes(mesh.colors, placed.pitch, data + placed.colors);
+  for (std::size_t i = 0; i < mesh.targets.size(); ++i) {
+    const StoredMesh::Target& target = placed.targets[i];
+    if (target.positions != layout::no_id)
+      write_planes(mesh.targets[i].positions, placed.pitch, data + target.positions);
+    if (target.normals != layout::no_id) write_planes(mesh.targets[i].normals, placed.pitch, data + target.normals);
+    if (target.colors != layout::no_id) write_planes(mesh.targets[i].colors, placed.pitch, data + target.colors);
+  }
+}
+
+}  // namespace
+
+MeshStore::MeshStore(std::shared_ptr<Session> session)
+    : session_(std::move(session)), data_(session_->context()), indices_(session_->context()) {}
+
+void MeshStore::require(const FramePlan& plan) {
+  bool changed = false;
+  for (const Draw& draw : plan.draws) {
+    const bool lines = draw.shading == Shading::wireframe;
+    const auto [entry, added] = wants_edges_.emplace(draw.mesh, lines);
+    if (added) order_.push_back(draw.mesh);
+    changed |= added || (lines && !entry->second);
+    entry->second |= lines;
+  }
+  if (changed) upload();
+}
+
+void MeshStore::upload() {
+  const std::size_t limit = session_->info().largest_allocation;
+  Allocation data(limit), indices(limit);
+  std::unordered_map<const Mesh*, std::vector<glm::uvec2>> edges;
+  for (const Mesh* mesh : order_) {
+    StoredMesh placed = place(*mesh, data);
+    placed.triangles = place_primitives(mesh->triangles.size(), indices);
+    if (wants_edges_.at(mesh)) {
+      edges[mesh] = wireframe_edges(*mesh);
+      placed.edges = place_primitives(edges[mesh].size(), indices);
+    }
+    stored_[mesh] = std::move(placed);
+  }
+  data_.ensure(data.size() * sizeof(float));
+  indices_.ensure(indices.size() * sizeof(layout::uint));
+  const auto mapped_data = data_.map<float>(session_->queue(), std::max<std::size_t>(data.size(), 1));
+  const auto mapped_indices = indices_.map<layout::uint>(session_->queue(), std::max<std::size_t>(indices.size(), 1));
+  for (const Mesh* mesh : order_) {
+    const StoredMesh& placed = stored_.at(mesh);
+    write(*mesh, placed, mapped_data.data());
+    write_primitives(mesh->triangles, placed.triangles, mapped_indices.data());
+    if (const auto found = edges.find(mesh); found != edges.end())
+      write_primitives(found->second, placed.edges, mapped_indices.data());
+  }
+}
+
+}  // namespace morphcl

@@ -1,0 +1,54 @@
+// Meshes in device memory: every attribute as planes of floats padded to whole vertex groups, indices as planes of
+// uints padded to whole blocks. A mesh is uploaded when a plan first draws it and stays.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "host/device/session.hpp"
+#include "host/device/shared_buffer.hpp"
+#include "host/render/kernel_layout.hpp"
+#include "host/render/plan.hpp"
+
+namespace morphcl {
+
+// Offsets count floats (attributes) or uints (indices); layout::no_id: the mesh has no such attribute.
+struct StoredMesh {
+  layout::uint vertex_groups = 0;
+  layout::uint pitch = 0;  // floats from one plane to the next
+  layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id;
+  struct Target {
+    layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id;
+  };
+  std::vector<Target> targets;
+  // Triangles and, if a draw asked for them, the edges that wireframe shows.
+  struct Primitives {
+    layout::uint count = 0, blocks = 0;
+    layout::uint indices = layout::no_id, pitch = 0;
+  };
+  Primitives triangles, edges;
+};
+
+class MeshStore {
+ public:
+  explicit MeshStore(std::shared_ptr<Session> session);
+
+  // Makes sure that all meshes of the plan are on the device. Error(bad_input) when they exceed what the device can
+  // allocate at once, with the numbers.
+  void require(const FramePlan& plan);
+
+  const StoredMesh& stored(const Mesh& mesh) const { return stored_.at(&mesh); }
+  const cl::Buffer& mesh_data() const { return data_.buffer(); }
+  const cl::Buffer& indices() const { return indices_.buffer(); }
+
+ private:
+  void upload();
+
+  std::shared_ptr<Session> session_;
+  std::unordered_map<const Mesh*, StoredMesh> stored_;
+  std::vector<const Mesh*> order_;
+  std::unordered_map<const Mesh*, bool> wants_edges_;
+  SharedBuffer data_, indices_;
+};
+
+}  // namespace morphcl

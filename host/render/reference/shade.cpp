@@ -1,0 +1,87 @@
+#include "host/render/reference/shade.hpp"
+
+#include <cmath>
+
+#include "host/render/reference/light.hpp"
+
+namespace morphcl::reference {
+
+namespace {
+
+struct Weights {
+  float vertex[3];
+  float total() const { return vertex[0] + vertex[1] + vertex[2]; }
+};
+
+Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], int x, int y) {
+  float dx[3], dy[3];
+  for (int i = 0; i < 3; ++i) {
+    dx[i] = static_cast<float>(corner[i].x - (x * 256 + 128));
+    dy[i] = static_cast<float>(corner[i].y - (y * 256 + 128));
+  }
+  Weights w;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    w.vertex[i] = difference_of_products(dx[j], dy[k], dx[k], dy[j]);
+    if (!plan.parallel) w.vertex[i] *= corner[i].inverse_w;
+  }
+  return w;
+}
+
+Weights source_weights(const Weights& cut, const Piece& piece) {
+  Weights w;
+  for (int i = 0; i < 3; ++i)
+    w.vertex[i] = std::fma(cut.vertex[0], piece.weight[0][i],
+                           std::fma(cut.vertex[1], piece.weight[1][i], cut.vertex[2] * piece.weight[2][i]));
+  return w;
+}
+
+template <class Vector>
+glm::vec3 interpolate(const Weights& w, const Vector& a, const Vector& b, const Vector& c) {
+  glm::vec3 sum;
+  for (int i = 0; i < 3; ++i) sum[i] = std::fma(w.vertex[0], a[i], std::fma(w.vertex[1], b[i], w.vertex[2] * c[i]));
+  return sum;
+}
+
+}  // namespace
+
+float eye_distance(const FramePlan& plan, float depth) { return plan.parallel ? -depth : plan.near / depth; }
+
+glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
+                int x, int y) {
+  const Sample& sample = visible.samples[static_cast<std::size_t>(y) * plan.width + x];
+  const Draw& draw = plan.draws[sample.draw];
+  glm::vec3 color(draw.base_color[0], draw.base_color[1], draw.base_color[2]);
+  if (draw.shading == Shading::wireframe) return color;
+
+  const glm::uvec3 triangle = draw.mesh->triangles[sample.primitive];
+  const Vertex *a = &vertices[sample.draw][triangle[0]], *b = &vertices[sample.draw][triangle[1]],
+               *c = &vertices[sample.draw][triangle[2]];
+  if (draw.shading == Shading::flat) color *= light_face(plan, draw, a->position, b->position, c->position);
+  if (draw.shading != Shading::smooth && !draw.vertex_colors) return color;
+
+  Weights w;
+  if (sample.piece == no_piece) {
+    const ScreenVertex corner[3] = {a->screen, b->screen, c->screen};
+    w = screen_weights(plan, corner, x, y);
+  } else {
+    const Piece& piece = visible.pieces[sample.piece];
+    w = source_weights(screen_weights(plan, piece.corner, x, y), piece);
+  }
+  if (draw.shading == Shading::smooth) {
+    glm::vec3 normal = interpolate(w, a->normal, b->normal, c->normal);
+    // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
+    if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
+    const float distance = eye_distance(plan, sample.depth), reach = plan.parallel ? 1.0f : distance;
+    const glm::vec3 position(std::fma(static_cast<float>(x) + 0.5f, plan.ray[0], plan.ray[1]) * reach,
+                             std::fma(static_cast<float>(y) + 0.5f, plan.ray[2], plan.ray[3]) * reach, -distance);
+    color *= irradiance(plan, normal, position);
+  }
+  if (draw.vertex_colors) {
+    const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);
+    for (int i = 0; i < 3; ++i) color[i] *= tint[i] / w.total();
+  }
+  return color;
+}
+
+}  // namespace morphcl::reference

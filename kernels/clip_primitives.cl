@@ -1,0 +1,170 @@
+#pragma OPENCL FP_CONTRACT OFF
+// clip_primitives: cuts triangles and lines that touch the near plane or the guard band, in homogeneous clip space.
+//
+// In:  vertices as projection left them (OUTSIDE marks the corners in question), indices, draws, blocks, mesh data.
+// Out: slot s holds one clipped primitive: clip_source[s] its number, clip_count[s] its corners (2 for a line, 3 to 8 for
+//      a polygon), its corners as vertex records at first_clip_vertex + 8 s, and for each corner the weights of the source
+//      triangle's three vertices. Slots are in order of the primitives' numbers, whatever the number of work-items.
+// Steps: count_clipped counts a chunk's primitives; clip_primitives starts where the earlier chunks end and, for each
+//      primitive in order, 1 transforms its corners again, 2 cuts by near, left, right, top, bottom, 3 snaps what is left.
+// The cut of an edge is computed from its inner to its outer end and depends on nothing else, so the two triangles at a
+// shared edge get the same bits; the plane's own coordinate is set, not computed.
+// One work-item walks a chunk of blocks. What does not fit into the pool is counted but not stored.
+
+#include "layout.h"
+#include "vector.h"
+#include "vertex.h"
+
+typedef struct {
+  float x, y, z, w;
+  float weight[3];
+} Corner;
+
+static inline uint corner_record(global const DrawConstants* draw, global const uint* indices, uint corner, uint primitive) {
+  return draw->first_group * LANES + indices[draw->indices + corner * draw->index_pitch + primitive];
+}
+
+// Whether a primitive needs a slot: some corner is outside, but not all of them outside the same plane, none invalid.
+static inline bool needs_clipping(global const int4* vertices, uint a, uint b, uint c) {
+  const int4 va = vertices[a], vb = vertices[b], vc = vertices[c];
+  const int code_a = va.x == OUTSIDE ? va.y : 0, code_b = vb.x == OUTSIDE ? vb.y : 0, code_c = vc.x == OUTSIDE ? vc.y : 0;
+  const int all = code_a & code_b & code_c, some = code_a | code_b | code_c;
+  return some != 0 && all == 0 && (some & OUT_INVALID) == 0;
+}
+
+kernel void count_clipped(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
+                          global const BlockConstants* restrict blocks, global const uint* restrict indices,
+                          global const int4* restrict vertices, global const uint* restrict vertex_status,
+                          uint vertex_chunks, global ChunkStatus* restrict status) {
+  const uint chunk = get_global_id(0);
+  uint outside = 0, count = 0;
+  for (uint i = 0; i < vertex_chunks; i++) outside |= vertex_status[i];
+  if (outside) {
+    const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
+    for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
+      global const DrawConstants* draw = &draws[blocks[block].draw];
+      for (uint lane = 0; lane < LANES; lane++) {
+        const uint primitive = blocks[block].first + lane;
+        count += needs_clipping(vertices, corner_record(draw, indices, 0, primitive),
+                                corner_record(draw, indices, 1, primitive), corner_record(draw, indices, 2, primitive));
+      }
+    }
+  }
+  status[chunk].clipped = count;
+}
+
+// The source vertex in clip space. Sixteen lanes are loaded and one is kept: the arithmetic must be projection's own.
+static inline Corner source_corner(global const DrawConstants* draw, global const TargetConstants* targets,
+                                   global const float* mesh_data, uint vertex, int number) {
+  const uint at = vertex & ~(LANES - 1u), lane = vertex & (LANES - 1u);
+  float16 x, y, z;
+  MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, x, y, z)
+  const ClipPoints p = to_clip(draw, x, y, z);
+  float field[LANES];
+  Corner corner;
+  vstore16(p.x, 0, field), corner.x = field[lane];
+  vstore16(p.y, 0, field), corner.y = field[lane];
+  vstore16(p.z, 0, field), corner.z = field[lane];
+  vstore16(p.w, 0, field), corner.w = field[lane];
+  for (int i = 0; i < 3; i++) corner.weight[i] = i == number ? 1.0f : 0.0f;
+  return corner;
+}
+
+// Planes in order: near, left, right, bottom, top. Positive inside.
+static inline float plane_distance(const Corner* c, int plane, constant const FrameConstants* frame) {
+  if (plane == 0) return near_distance((float16)(c->z), (float16)(c->w), frame).s0;
+  if (plane == 1) return fma(frame->guard_x, c->w, c->x);
+  if (plane == 2) return fma(frame->guard_x, c->w, -c->x);
+  if (plane == 3) return fma(frame->guard_y, c->w, c->y);
+  return fma(frame->guard_y, c->w, -c->y);
+}
+
+static inline Corner cut(const Corner* inner, const Corner* outer, float inner_distance, float outer_distance, int plane,
+                         constant const FrameConstants* frame) {
+  const float total = inner_distance - outer_distance;
+  const float of_outer = inner_distance / total, of_inner = -outer_distance / total;
+  Corner c;
+  c.x = fma(of_outer, outer->x, of_inner * inner->x);
+  c.y = fma(of_outer, outer->y, of_inner * inner->y);
+  c.z = fma(of_outer, outer->z, of_inner * inner->z);
+  c.w = fma(of_outer, outer->w, of_inner * inner->w);
+  for (int i = 0; i < 3; i++) c.weight[i] = fma(of_outer, outer->weight[i], of_inner * inner->weight[i]);
+  if (plane == 0) {
+    c.w = frame->near_w;
+    c.z = frame->near_depth * c.w;
+  } else if (plane == 1) {
+    c.x = -frame->guard_x * c.w;
+  } else if (plane == 2) {
+    c.x = frame->guard_x * c.w;
+  } else if (plane == 3) {
+    c.y = -frame->guard_y * c.w;
+  } else {
+    c.y = frame->guard_y * c.w;
+  }
+  return c;
+}
+
+// Rounding can bend a sliver so that it crosses a plane more than twice; its excess corners are dropped, never written.
+static inline void add_corner(Corner* out, int* count, Corner corner) {
+  if (*count < CLIP_VERTICES) out[(*count)++] = corner;
+}
+
+// Cuts the closed polygon (or, with two corners, the open segment) by one plane; returns the number of corners left.
+static inline int cut_by_plane(const Corner* in, int count, Corner* out, int plane, constant const FrameConstants* frame) {
+  const int edges = count == 2 ? 1 : count;
+  int left = 0;
+  for (int i = 0; i < edges; i++) {
+    const Corner *a = &in[i], *b = &in[i + 1 == count ? 0 : i + 1];
+    const float da = plane_distance(a, plane, frame), db = plane_distance(b, plane, frame);
+    if (da >= 0.0f) add_corner(out, &left, *a);
+    if (da >= 0.0f && db < 0.0f) add_corner(out, &left, cut(a, b, da, db, plane, frame));
+    if (da < 0.0f && db >= 0.0f) add_corner(out, &left, cut(b, a, db, da, plane, frame));
+  }
+  if (count == 2 && plane_distance(&in[1], plane, frame) >= 0.0f) add_corner(out, &left, in[1]);
+  return left;
+}
+
+kernel void clip_primitives(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
+                            global const TargetConstants* restrict targets, global const BlockConstants* restrict blocks,
+                            global const uint* restrict indices, global const float* restrict mesh_data,
+                            global int4* restrict vertices, global const ChunkStatus* restrict status,
+                            global uint* restrict clip_source, global uint* restrict clip_count,
+                            global float4* restrict clip_weights) {
+  const uint chunk = get_global_id(0);
+  if (status[chunk].clipped == 0) return;
+  uint slot = 0;
+  for (uint i = 0; i < chunk; i++) slot += status[i].clipped;
+  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
+  for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
+    global const DrawConstants* draw = &draws[blocks[block].draw];
+    for (uint lane = 0; lane < LANES; lane++) {
+      const uint primitive = blocks[block].first + lane;
+      uint record[3];
+      for (uint i = 0; i < 3; i++) record[i] = corner_record(draw, indices, i, primitive);
+      if (!needs_clipping(vertices, record[0], record[1], record[2])) continue;
+      if (slot >= frame->clip_capacity) {
+        slot++;
+        continue;
+      }
+      Corner corners[CLIP_VERTICES], scratch[CLIP_VERTICES];
+      int count = draw->flags & DRAW_LINES ? 2 : 3;
+      for (int i = 0; i < count; i++)
+        corners[i] = source_corner(draw, targets, mesh_data, record[i] - draw->first_group * LANES, i);
+      for (int plane = 0; plane < 5 && count > 0; plane++) {
+        count = cut_by_plane(corners, count, scratch, plane, frame);
+        for (int i = 0; i < count; i++) corners[i] = scratch[i];
+      }
+      clip_source[slot] = block * LANES + lane;
+      clip_count[slot] = count;
+      for (int i = 0; i < count; i++) {
+        const Corner c = corners[i];
+        const float inverse_w = 1.0f / c.w;
+        const int x = snap((float16)(c.x), (float16)(c.w), frame->scale_x, frame->offset_x).s0;
+        const int y = snap((float16)(c.y), (float16)(c.w), frame->scale_y, frame->offset_y).s0;
+        vertices[frame->first_clip_vertex + slot * CLIP_VERTICES + i] = (int4)(x, y, as_int(c.z * inverse_w), as_int(inverse_w));
+        clip_weights[slot * CLIP_VERTICES + i] = (float4)(c.weight[0], c.weight[1], c.weight[2], 0.0f);
+      }
+      slot++;
+    }
+  }
+}

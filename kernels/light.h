@@ -1,0 +1,50 @@
+// Lambert light of directional and point lights, in eye space, 16 samples at a time.
+
+#ifndef MORPHCL_LIGHT_H
+#define MORPHCL_LIGHT_H
+
+typedef struct {
+  float16 x, y, z;
+} EyeVector;
+
+typedef struct {
+  float16 r, g, b;
+} Irradiance;
+
+// a b - c d within 1.5 ulp (Kahan): the rounding error of c d is computed by fma and put back.
+static inline float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
+  const float16 product = c * d;
+  return fma(a, b, -product) + fma(-c, d, product);
+}
+
+static inline float16 dot_product(EyeVector a, EyeVector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+
+// ambient + sum of color * max(cos, 0) (/ distance^2 where the light falls off). The normal has any length; where it is
+// zero only the ambient light counts.
+static inline Irradiance irradiance(constant const FrameConstants* frame, global const LightConstants* lights,
+                                    EyeVector normal, EyeVector position) {
+  const float16 length = sqrt(dot_product(normal, normal));
+  const int16 has_normal = length > 0.0f;
+  const float16 normal_length = select((float16)1.0f, length, has_normal);
+  Irradiance sum;
+  sum.r = frame->ambient[0], sum.g = frame->ambient[1], sum.b = frame->ambient[2];
+  for (uint i = 0; i < frame->light_count; i++) {
+    EyeVector to_light;
+    to_light.x = lights[i].vector[0], to_light.y = lights[i].vector[1], to_light.z = lights[i].vector[2];
+    float16 divisor = normal_length;
+    if (lights[i].is_point) {
+      to_light.x -= position.x, to_light.y -= position.y, to_light.z -= position.z;
+      const float16 square = dot_product(to_light, to_light);
+      const float16 distance = sqrt(square);
+      divisor *= lights[i].falloff ? square * distance : distance;
+    }
+    const float16 cosine = max(dot_product(normal, to_light), (float16)0.0f);
+    const float16 lit = select((float16)0.0f, cosine / divisor, has_normal & (divisor > 0.0f));
+    sum.r = fma((float16)(lights[i].color[0]), lit, sum.r);
+    sum.g = fma((float16)(lights[i].color[1]), lit, sum.g);
+    sum.b = fma((float16)(lights[i].color[2]), lit, sum.b);
+  }
+  return sum;
+}
+
+#endif

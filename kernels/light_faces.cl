@@ -1,0 +1,62 @@
+#pragma OPENCL FP_CONTRACT OFF
+// light_faces: one irradiance for each triangle of flat draws, from its normal after morphing.
+//
+// In:  attributes of flat draws (morphed positions in object space), indices, draws, blocks, lights.
+// Out: face_light[number] float4 {r, g, b, unused}: ambient plus what every light gives at the triangle's centre.
+// Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
+// double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
+// One work-item walks a chunk of blocks.
+
+#include "layout.h"
+#include "vector.h"
+#include "light.h"
+
+kernel void light_faces(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
+                        global const BlockConstants* restrict blocks, global const uint* restrict indices,
+                        global const LightConstants* restrict lights, global const int4* restrict attributes,
+                        global int4* restrict face_light) {
+  const uint chunk = get_global_id(0);
+  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
+  for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
+    global const DrawConstants* draw = &draws[blocks[block].draw];
+    if (!(draw->flags & DRAW_FLAT)) continue;
+    global const uint* corner_a = indices + draw->indices + blocks[block].first;
+    global const uint* corner_b = corner_a + draw->index_pitch;
+    global const uint* corner_c = corner_b + draw->index_pitch;
+    global const int4* positions = attributes + (size_t)draw->first_group * LANES;
+    int16 x0, y0, z0, x1, y1, z1, x2, y2, z2, unused;
+    GATHER_RECORDS(positions, corner_a, x0, y0, z0, unused)
+    GATHER_RECORDS(positions, corner_b, x1, y1, z1, unused)
+    GATHER_RECORDS(positions, corner_c, x2, y2, z2, unused)
+    const float16 ax = as_float16(x0), ay = as_float16(y0), az = as_float16(z0);
+    const float16 ux = as_float16(x1) - ax, uy = as_float16(y1) - ay, uz = as_float16(z1) - az;
+    const float16 vx = as_float16(x2) - ax, vy = as_float16(y2) - ay, vz = as_float16(z2) - az;
+    const float16 cross_x = difference_of_products(uy, vz, uz, vy);
+    const float16 cross_y = difference_of_products(uz, vx, ux, vz);
+    const float16 cross_z = difference_of_products(ux, vy, uy, vx);
+    EyeVector normal;
+    normal.x = row_times_vector(draw->normal_to_eye[0], cross_x, cross_y, cross_z);
+    normal.y = row_times_vector(draw->normal_to_eye[1], cross_x, cross_y, cross_z);
+    normal.z = row_times_vector(draw->normal_to_eye[2], cross_x, cross_y, cross_z);
+    // Scaled by its largest component first: the squares of tiny or huge faces stay in range.
+    const float16 largest = max(fabs(normal.x), max(fabs(normal.y), fabs(normal.z)));
+    const float16 scale = select((float16)1.0f, largest, largest > 0.0f);
+    normal.x /= scale, normal.y /= scale, normal.z /= scale;
+
+    const float16 third = 1.0f / 3.0f;
+    const float16 mid_x = ax + (ux + vx) * third, mid_y = ay + (uy + vy) * third, mid_z = az + (uz + vz) * third;
+    EyeVector centre;
+    centre.x = row_times_point(draw->object_to_eye[0], mid_x, mid_y, mid_z);
+    centre.y = row_times_point(draw->object_to_eye[1], mid_x, mid_y, mid_z);
+    centre.z = row_times_point(draw->object_to_eye[2], mid_x, mid_y, mid_z);
+    if (draw->flags & DRAW_DOUBLE_SIDED) {
+      const float16 away = frame->parallel ? -normal.z : fma(normal.x, centre.x, fma(normal.y, centre.y, normal.z * centre.z));
+      const int16 back = away > 0.0f;
+      normal.x = select(normal.x, -normal.x, back);
+      normal.y = select(normal.y, -normal.y, back);
+      normal.z = select(normal.z, -normal.z, back);
+    }
+    const Irradiance light = irradiance(frame, lights, normal, centre);
+    store_records(as_int16(light.r), as_int16(light.g), as_int16(light.b), (int16)0, face_light + (size_t)block * LANES);
+  }
+}

@@ -1,0 +1,49 @@
+// Exact coverage and depth of triangles on the sub-pixel grid, shared by binning, tiles and shading.
+//
+// y grows downwards; a triangle is turned so that its doubled area is positive. A pixel is covered when its centre is
+// inside every edge or on a top or left edge, decided in integers: a shared edge is hit exactly once.
+
+#ifndef MORPHCL_RASTER_H
+#define MORPHCL_RASTER_H
+
+#define SUBPIXELS 256
+#define HALF_PIXEL 128
+
+// First and last pixel whose centre lies in [low, high] sub-pixels.
+#define FIRST_PIXEL(low) (((low) + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS)
+#define LAST_PIXEL(high) (((high)-HALF_PIXEL) >> SUBPIXEL_BITS)
+
+// Where the next entry of a tile goes. A chunk keeps, for every tile, a list of pages of PAGE entries; page 0 stands for
+// "none". heads[tile] is the index behind the tile's newest entry, next[page] the page filled before it.
+typedef struct {
+  global uint* heads;
+  global uint* next;
+  uint pages, capacity;
+} PagedBins;
+
+static inline uint next_entry(PagedBins* bins, uint tile) {
+  uint at = bins->heads[tile];
+  if ((at & (PAGE - 1)) == 0) {
+    const uint page = bins->pages++;
+    if (page < bins->capacity) bins->next[page] = at ? at / PAGE - 1 : 0;
+    at = page * PAGE;
+  }
+  bins->heads[tile] = at + 1;
+  return at;  // beyond capacity * PAGE: there is no room, the entry is only counted
+}
+
+// E(p) = dx (py - vy) - dy (px - vx), less 1 where a centre on the edge belongs to the neighbour.
+static inline long edge_value(int dx, int dy, int vx, int vy, int px, int py) {
+  const int owns_edge = dy < 0 || (dy == 0 && dx > 0);
+  return (long)dx * (py - vy) - (long)dy * (px - vx) - (owns_edge ? 0 : 1);
+}
+
+// Depth at a pixel centre, from the exact doubled areas of the parts: depth + depth1 * s1 / area + depth2 * s2 / area.
+static inline float large_depth_at(LargeTriangle t, int px, int py) {
+  const long dx = px - t.ax, dy = py - t.ay;
+  const float part1 = (float)(dx * t.d2y - dy * t.d2x) * t.inverse_area;
+  const float part2 = (float)(dy * t.d1x - dx * t.d1y) * t.inverse_area;
+  return fma(part1, t.depth1, fma(part2, t.depth2, t.depth));
+}
+
+#endif

@@ -1,0 +1,84 @@
+// Sixteen lanes at a time: masks, gathers, transposes and stores past the cache.
+//
+// A lane mask is an int16 with -1 in active lanes, as OpenCL's vector comparisons give it. Only correctly rounded
+// operations appear here and in every kernel; min and max are used on NaN-free values only.
+
+#ifndef MORPHCL_VECTOR_H
+#define MORPHCL_VECTOR_H
+
+#define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+
+// One byte a lane, two longs: what the loops over set lanes walk through.
+static inline ulong2 mask_bytes(int16 mask) { return as_ulong2(convert_char16(mask)); }
+
+static inline bool any_lane(int16 mask) {
+  ulong2 bytes = mask_bytes(mask);
+  return (bytes.x | bytes.y) != 0;
+}
+
+// The lowest set lane of eight, from their bytes, and the bytes without it.
+static inline int lowest_lane(ulong bytes) { return (63 - (int)clz(bytes & -bytes)) >> 3; }
+static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffUL << (lane * 8)); }
+
+// for (lane of the mask, ascending)
+#define FOR_EACH_LANE(lane, mask)                                                                       \
+  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0;)                 \
+    for (int lane = lane##_bytes.x ? lowest_lane(lane##_bytes.x) : 8 + lowest_lane(lane##_bytes.y),     \
+             lane##_once = 1;                                                                           \
+         lane##_once; lane##_once = 0,                                                                  \
+             lane##_bytes.x = lane < 8 ? without_lane(lane##_bytes.x, lane) : lane##_bytes.x,           \
+             lane##_bytes.y = lane < 8 ? lane##_bytes.y : without_lane(lane##_bytes.y, lane - 8))
+
+static inline float least(float16 v) {
+  float8 a = min(v.lo, v.hi);
+  float4 b = min(a.lo, a.hi);
+  float2 c = min(b.lo, b.hi);
+  return min(c.x, c.y);
+}
+static inline float greatest(float16 v) {
+  float8 a = max(v.lo, v.hi);
+  float4 b = max(a.lo, a.hi);
+  float2 c = max(b.lo, b.hi);
+  return max(c.x, c.y);
+}
+
+// Sixteen records of four words, by index, as four vectors of one field each. Records are fetched whole and transposed,
+// which is several times faster than sixteen gathers a field.
+#define RECORDS_OF_4(records, index, i) (int16)(records[index[i]], records[index[i + 1]], records[index[i + 2]], records[index[i + 3]])
+#define GATHER_RECORDS(records, index, field0, field1, field2, field3)                                   \
+  {                                                                                                      \
+    const int16 r0 = RECORDS_OF_4(records, index, 0), r1 = RECORDS_OF_4(records, index, 4);              \
+    const int16 r2 = RECORDS_OF_4(records, index, 8), r3 = RECORDS_OF_4(records, index, 12);             \
+    field0 = (int16)(r0.s048c, r1.s048c, r2.s048c, r3.s048c);                                            \
+    field1 = (int16)(r0.s159d, r1.s159d, r2.s159d, r3.s159d);                                            \
+    field2 = (int16)(r0.s26ae, r1.s26ae, r2.s26ae, r3.s26ae);                                            \
+    field3 = (int16)(r0.s37bf, r1.s37bf, r2.s37bf, r3.s37bf);                                            \
+  }
+
+// A store that does not displace what the cache holds, for results that no kernel reads soon.
+#ifdef MORPHCL_NONTEMPORAL
+#define STORE_PAST_CACHE(value, pointer) __builtin_nontemporal_store(value, pointer)
+#else
+#define STORE_PAST_CACHE(value, pointer) (*(pointer) = (value))
+#endif
+
+// The inverse of GATHER_RECORDS for consecutive records: fields in, sixteen records of four words out.
+#define RECORDS_FROM(f0, f1, f2, f3, a, b, c, d)                                                         \
+  (int16)(f0.s##a, f1.s##a, f2.s##a, f3.s##a, f0.s##b, f1.s##b, f2.s##b, f3.s##b, f0.s##c, f1.s##c,      \
+          f2.s##c, f3.s##c, f0.s##d, f1.s##d, f2.s##d, f3.s##d)
+static inline void store_records(int16 f0, int16 f1, int16 f2, int16 f3, global int4* out) {
+  vstore16(RECORDS_FROM(f0, f1, f2, f3, 0, 1, 2, 3), 0, (global int*)out);
+  vstore16(RECORDS_FROM(f0, f1, f2, f3, 4, 5, 6, 7), 1, (global int*)out);
+  vstore16(RECORDS_FROM(f0, f1, f2, f3, 8, 9, a, b), 2, (global int*)out);
+  vstore16(RECORDS_FROM(f0, f1, f2, f3, c, d, e, f), 3, (global int*)out);
+}
+
+// Rows of a matrix applied to points: ((m3 + z m2) + y m1) + x m0, each step one fma.
+static inline float16 row_times_point(global const float* row, float16 x, float16 y, float16 z) {
+  return fma((float16)(row[0]), x, fma((float16)(row[1]), y, fma((float16)(row[2]), z, (float16)(row[3]))));
+}
+static inline float16 row_times_vector(global const float* row, float16 x, float16 y, float16 z) {
+  return fma((float16)(row[0]), x, fma((float16)(row[1]), y, (float16)(row[2]) * z));
+}
+
+#endif
