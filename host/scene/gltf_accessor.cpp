@@ -160,7 +160,7 @@ GltfAccessors::View GltfAccessors::check_view(const GltfValue& owner, std::size_
     if (!may_stride) stride->fail("is not allowed where sparse indices or values are stored");
     if (bytes < std::max<std::size_t>(4, size) || bytes > 252)
       stride->fail(
-          fmt::format("is {}; {} needs it from {} to 252", bytes, owner.place(), std::max<std::size_t>(4, size)));
+          fmt::format("is {}; {} needs it from {} to 252", bytes, owner.path(), std::max<std::size_t>(4, size)));
     view.stride = static_cast<std::size_t>(bytes);
   }
   const std::uint64_t offset = owner.integer("byteOffset", 0);

@@ -26,7 +26,12 @@ class AnimationReader {
     for (std::size_t i = 0; i < channels.size(); ++i) read_channel(channels[i], samplers);
   }
 
-  GltfAnimations result() { return std::move(result_); }
+  GltfAnimations result() {
+    if (driven_again_ > 0)
+      warnings_.say(fmt::format("values driven by several animation channels: {}; the first channel of each is used",
+                                driven_again_));
+    return std::move(result_);
+  }
 
  private:
   void read_channel(const GltfValue& channel, const GltfValue& samplers) {
@@ -41,8 +46,7 @@ class AnimationReader {
     const auto place = destination(target, static_cast<std::size_t>(node), path);
     if (!place.track) return;
     if (!place.track->empty()) {
-      warnings_.say(fmt::format("{}: nodes[{}].{} is driven already; the first animation of it is used", target.place(),
-                                node, path));
+      ++driven_again_;
       return;
     }
     GltfSampler keys = read_sampler(samplers[static_cast<std::size_t>(sampler)], document_, accessors_, time_,
@@ -81,6 +85,7 @@ class AnimationReader {
   GltfNodes& nodes_;
   GltfWarnings& warnings_;
   GltfAnimations result_;
+  std::size_t driven_again_ = 0;
 };
 
 }  // namespace

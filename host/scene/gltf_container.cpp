@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -68,8 +69,10 @@ GltfContainer split_gltf(std::string_view bytes, const std::string& file) {
   if (bytes.size() < header_size) fail("the header of the binary glTF file is cut short");
   if (const std::uint32_t version = little_endian_32(bytes, 4); version != 2)
     fail(fmt::format("binary glTF version {}; version 2 is read", version));
-  if (const std::uint32_t length = little_endian_32(bytes, 8); length != bytes.size())
+  if (const std::uint32_t length = little_endian_32(bytes, 8); length > bytes.size())
     fail(fmt::format("the header says {} bytes, the file has {}: it is truncated or damaged", length, bytes.size()));
+  else
+    bytes = bytes.substr(0, std::max<std::size_t>(length, header_size));
 
   GltfContainer parts;
   std::size_t at = header_size;
@@ -94,11 +97,10 @@ GltfContainer split_gltf(std::string_view bytes, const std::string& file) {
 }
 
 std::string decode_data_uri(std::string_view uri, const std::string& place) {
-  constexpr std::string_view marker = ";base64";
   const std::size_t comma = uri.find(',');
-  if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(marker))
-    throw Error(ErrorKind::bad_input, place, "a data URI must read data:...;base64,...");
-  return decode_base64(uri.substr(comma + 1), place);
+  if (comma == std::string_view::npos) throw Error(ErrorKind::bad_input, place, "a data URI must have a comma");
+  const std::string_view content = uri.substr(comma + 1);
+  return uri.substr(0, comma).ends_with(";base64") ? decode_base64(content, place) : decode_percent(content, place);
 }
 
 std::string decode_percent(std::string_view uri, const std::string& place) {

@@ -25,16 +25,16 @@ std::vector<int> node_meshes(const GltfDocument& document) {
   return meshes;
 }
 
-// Meshes of nodes that are drawn or whose weights could be animated: a mesh that no node shows is not read.
+// A mesh that no drawn node shows is checked, not decoded.
 std::vector<GltfMesh> read_meshes(const GltfDocument& document, const GltfAccessors& accessors,
-                                  const std::vector<int>& mesh_of_node, std::vector<Mesh>& meshes,
-                                  GltfWarnings& warnings) {
+                                  const std::vector<int>& mesh_of_node, const std::vector<bool>& drawn,
+                                  std::vector<Mesh>& meshes, GltfWarnings& warnings) {
   std::vector<GltfMesh> result(document.count("meshes"));
   std::vector<bool> shown(result.size());
-  for (const int mesh : mesh_of_node)
-    if (mesh >= 0) shown[static_cast<std::size_t>(mesh)] = true;
+  for (std::size_t i = 0; i < mesh_of_node.size(); ++i)
+    if (mesh_of_node[i] >= 0 && drawn[i]) shown[static_cast<std::size_t>(mesh_of_node[i])] = true;
   for (std::size_t i = 0; i < result.size(); ++i)
-    if (shown[i]) result[i] = read_mesh(document, accessors, i, meshes, warnings);
+    result[i] = read_mesh(document, accessors, i, shown[i], meshes, warnings);
   return result;
 }
 
@@ -74,7 +74,8 @@ ImportedModel import_gltf(const std::string& path, const TimeBase& time, const I
   ImportedModel model;
   GltfNodes nodes = read_nodes(document, warnings);
   const std::vector<int> mesh_of_node = node_meshes(document);
-  const std::vector<GltfMesh> meshes = read_meshes(document, accessors, mesh_of_node, model.meshes, warnings);
+  const std::vector<GltfMesh> meshes =
+      read_meshes(document, accessors, mesh_of_node, nodes.drawn, model.meshes, warnings);
   std::vector<std::size_t> node_targets(nodes.nodes.size());
   for (std::size_t i = 0; i < node_targets.size(); ++i)
     if (mesh_of_node[i] >= 0) node_targets[i] = meshes[static_cast<std::size_t>(mesh_of_node[i])].weights.size();

@@ -35,7 +35,7 @@ std::vector<std::string> target_names(const GltfDocument& document, const GltfVa
 
 }  // namespace
 
-GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors, std::size_t index,
+GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors, std::size_t index, bool decode,
                    std::vector<Mesh>& meshes, GltfWarnings& warnings) {
   const GltfValue json = document.element("meshes", index);
   const GltfValue primitives = json.get("primitives");
@@ -53,7 +53,8 @@ GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors,
   const std::vector<std::string> names = target_names(document, json, targets, warnings);
   const std::string name = json.text("name", fmt::format("mesh{}", index));
   for (std::size_t p = 0; p < result.primitive_count; ++p) {
-    std::optional<GltfPrimitive> primitive = read_primitive(document, accessors, primitives[p], names, warnings);
+    std::optional<GltfPrimitive> primitive =
+        read_primitive(document, accessors, primitives[p], names, decode, warnings);
     if (!primitive) continue;
     primitive->mesh.name = result.primitive_count == 1 ? name : fmt::format("{}.{}", name, p);
     document.budget().charge(1, sizeof(Mesh) + primitive->mesh.name.size(), json.place());

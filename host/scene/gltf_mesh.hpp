@@ -15,9 +15,10 @@ struct GltfMesh {
   std::size_t primitive_count = 0;  // in the file
 };
 
-// Reads mesh `index` and appends what it draws to `meshes`. Error(bad_input) also for target counts that differ between
-// primitives, and weights that are not one a target. Targets are named by extras.targetNames, else "target0", ...
-GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors, std::size_t index,
+// Reads mesh `index` and appends what it draws to `meshes`; without `decode` it is only checked, all but its data.
+// Error(bad_input) also for target counts that differ between primitives, and weights that are not one a target.
+// Targets are named by extras.targetNames, else "target0", ...
+GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors, std::size_t index, bool decode,
                    std::vector<Mesh>& meshes, GltfWarnings& warnings);
 
 }  // namespace morphcl

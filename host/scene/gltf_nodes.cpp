@@ -37,7 +37,12 @@ Node read_node(const GltfValue& json, std::size_t index, GltfWarnings& warnings)
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
         node.static_transform[column][row] = m[static_cast<std::size_t>(4 * column + row)];
-    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) matrix->fail("the last row must be 0 0 0 1");
+    constexpr double noise = 1e-5;  // of exporters that multiply in fp32
+    for (int column = 0; column < 4; ++column) {
+      const double exact = column == 3 ? 1.0 : 0.0;
+      if (!(std::abs(node.static_transform[column][3] - exact) <= noise)) matrix->fail("the last row must be 0 0 0 1");
+      node.static_transform[column][3] = exact;
+    }
   }
   return node;
 }

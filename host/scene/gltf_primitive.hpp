@@ -15,9 +15,10 @@ struct GltfPrimitive {
   Material material;
 };
 
-// Nothing when there is nothing to draw: no POSITION, points, or no whole triangle or line; a warning says so.
+// Nothing when there is nothing to draw: no POSITION, points, or no whole triangle or line; a warning says so. Nothing
+// either without `decode`: then the primitive is only checked, all but its data.
 std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const GltfAccessors& accessors,
                                             const GltfValue& json, const std::vector<std::string>& target_names,
-                                            GltfWarnings& warnings);
+                                            bool decode, GltfWarnings& warnings);
 
 }  // namespace morphcl

@@ -16,6 +16,7 @@ class GltfValue {
   // `json` and `file` outlive the value. `path` is "" for the root, else like "accessors[3].sparse".
   GltfValue(const nlohmann::json& json, const std::string& file, std::string path);
 
+  const std::string& path() const { return path_; }     // "accessors[3]"
   std::string place() const;                            // "model.gltf: accessors[3]"
   [[noreturn]] void fail(std::string_view what) const;  // throws Error(bad_input) at place()
 
