@@ -28,6 +28,7 @@ FrameSource::FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Ses
       settings_(std::move(settings)),
       session_(std::move(session)),
       renderer_(session_ ? make_device_renderer(session_) : make_reference_renderer()),
+      planner_(scene_),
       frames_(frames_of(scene_)),
       shot_camera_(scene_.timeline.camera),
       shot_image_(scene_.image),
@@ -71,9 +72,12 @@ const FrameBuffer& FrameSource::render(const View& view, const Size& size) {
   show(view, size, color_alone);
 
   const auto start = std::chrono::steady_clock::now();
-  renderer_->render(plan_frame(scene_, frames_[view.step]), *rendered_);
+  renderer_->render(planner_.plan(frames_[view.step]), *rendered_);
   milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  if (rendered_count_++ == 0 && session_) session_->store_programs();
+  if (session_ && !stored_programs_) {
+    session_->store_programs();
+    stored_programs_ = true;
+  }
   rendered_view_ = view;
   return *rendered_;
 }

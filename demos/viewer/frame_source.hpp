@@ -10,6 +10,7 @@
 #include "demos/viewer/demo_settings.hpp"
 #include "demos/viewer/demo_state.hpp"
 #include "host/device/session.hpp"
+#include "host/render/plan.hpp"
 #include "host/render/renderer.hpp"
 #include "host/scene/scene.hpp"
 
@@ -24,6 +25,8 @@ class FrameSource {
  public:
   // Without a session frames come from the reference renderer. Error(bad_input) when the scene has no frames.
   FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Session> session);
+  FrameSource(const FrameSource&) = delete;
+  FrameSource& operator=(const FrameSource&) = delete;
 
   DemoLimits limits() const { return {static_cast<int>(frames_.size()) - 1}; }
   View first_view() const;
@@ -32,8 +35,6 @@ class FrameSource {
   // The colour of a view. Rendered only when view or size differ from the last call's; valid until the next call.
   const FrameBuffer& render(const View& view, const Size& size);
   double milliseconds() const { return milliseconds_; }  // that the last rendering took: plan and kernels
-  // Counts what render() really rendered.
-  int rendered_count() const { return rendered_count_; }
 
   // Writes the view with the shot's own channels and compression, as `morphcl render` does; `pattern` as in
   // host/job/render_job.hpp. Returns the path. Throws what writing and rendering throw.
@@ -42,10 +43,11 @@ class FrameSource {
  private:
   void show(const View& view, const Size& size, const ImageSettings& image);
 
-  Scene scene_;
+  Scene scene_;  // camera, image and hash are those of the view at hand
   const DemoSettings settings_;
   const std::shared_ptr<Session> session_;
   const std::unique_ptr<Renderer> renderer_;
+  const Planner planner_;                   // of scene_, whose meshes stay as they are
   const std::vector<std::int64_t> frames_;  // one a step
   const Camera shot_camera_;
   const ImageSettings shot_image_;
@@ -54,7 +56,7 @@ class FrameSource {
   std::optional<View> rendered_view_;
   std::unique_ptr<FrameBuffer> rendered_;
   double milliseconds_ = 0;
-  int rendered_count_ = 0;
+  bool stored_programs_ = false;
 };
 
 }  // namespace morphcl::viewer

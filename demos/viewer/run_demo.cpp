@@ -30,7 +30,10 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
   std::unique_ptr<Window> window;
   if (!options.headless) window = std::make_unique<Window>(settings.name, options.size);
 
-  Scene scene = load_scene(options.shot.empty() ? find_shot(settings.shot) : options.shot, LoadOptions{});
+  LoadOptions load;  // a fitted camera frames for the size at the start
+  load.width = options.size.width;
+  load.height = options.size.height;
+  Scene scene = load_scene(options.shot.empty() ? find_shot(settings.shot) : options.shot, load);
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}: {}\n", settings.name, warning);
   FrameSource frames(std::move(scene), settings, open_session(options));
   DemoSession session(settings, frames);
