@@ -140,7 +140,10 @@ void add_warm(CLI::App& app, DeviceOptions& options, Action& action) {
 // What CLI11 found wrong as one line; --help and --version print to stdout and are no error.
 int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  print_message(printable(error.what()) + "; see morphcl --help");
+  const std::vector<std::string> unknown = app.get_subcommands().empty() ? app.remaining() : std::vector<std::string>();
+  print_message(unknown.empty()
+                    ? printable(error.what()) + "; see morphcl --help"
+                    : fmt::format("'{}' is no command of morphcl; see morphcl --help", printable(unknown.front())));
   return static_cast<int>(ErrorKind::usage);
 }
 

@@ -43,7 +43,8 @@ int devices_command(const DevicesOptions& options) {
   for (const DeviceInfo& device : list_devices()) {
     const std::string verdict = verdict_text(device, threads);
     if (options.json) print_json(device, verdict);
-    rows.push_back({std::to_string(device.index), printable(device.name), printable(device.platform),
+    rows.push_back({std::to_string(device.index), printable(device.name),
+                    printable(device.platform.substr(0, device.platform.find(','))),
                     std::to_string(device.compute_units), mebibytes(device.global_memory),
                     mebibytes(device.largest_allocation), fmt::format("{} KiB", device.local_memory >> 10), verdict});
   }

@@ -29,9 +29,9 @@ const char* shading_name(Shading shading) {
 std::string range_text(const std::vector<FrameRange>& ranges) {
   std::string text;
   for (const FrameRange& range : ranges) {
-    text += (text.empty() ? "" : ",") + std::to_string(range.first);
-    if (range.last != range.first) text += "-" + std::to_string(range.last);
-    if (range.step != 1) text += "x" + std::to_string(range.step);
+    text += fmt::format("{}{}", text.empty() ? "" : ",", range.first);
+    if (range.last != range.first) text += fmt::format("-{}", range.last);
+    if (range.step != 1) text += fmt::format("x{}", range.step);
   }
   return text;
 }

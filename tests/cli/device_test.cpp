@@ -1,0 +1,94 @@
+// OpenCL devices: none, unknown ones, the list, and the cache of compiled kernels.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr int no_device = 69;
+
+class Device : public ScratchFolder {
+ protected:
+  Device() {
+    plant("shot.toml", cube_shot());
+    std::filesystem::create_directory(folder_ / "no_drivers");
+  }
+
+  ToolOptions without_drivers() const {
+    return {.environment = {{"OCL_ICD_VENDORS", path("no_drivers")}}, .folder = folder_};
+  }
+  ToolOptions with_cache() const { return {.environment = {{"MORPHCL_CACHE_DIR", path("cache")}}, .folder = folder_}; }
+
+  // The pixel hash of frame 2.
+  std::string hash(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"render", path("shot.toml"), "--frames", "2", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ToolResult result = run_tool(arguments, with_cache());
+    EXPECT_EQ(result.code, 0) << result.err;
+    return result.out.empty() ? "" : json::parse(result.out_lines().front()).value("hash", "");
+  }
+};
+
+TEST_F(Device, NoneIsOneLineThatNamesThePackage) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"render", path("shot.toml")}, {"devices"}, {"warm"}})
+    expect_one_line_error(run_tool(arguments, without_drivers()), no_device, "pocl-opencl-icd");
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+}
+
+TEST_F(Device, TheReferenceRendererNeedsNone) {
+  const ToolResult result = run_tool({"render", path("shot.toml"), "--device", "reference"}, without_drivers());
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(run_tool({"plan", path("shot.toml")}, without_drivers()).code, 0);
+}
+
+TEST_F(Device, AnUnknownNameListsThoseThereAre) {
+  expect_one_line_error(run_tool({"render", path("shot.toml"), "--device", "voodoo2"}, with_cache()), no_device,
+                        "voodoo2");
+  expect_one_line_error(run_tool({"render", path("shot.toml"), "--device", "99"}, with_cache()), no_device, "99");
+  EXPECT_EQ(files_ending_in(".exr"), 0u);
+}
+
+TEST_F(Device, TheListHasAVerdictForEach) {
+  const ToolResult result = run_tool({"devices", "--json"}, with_cache());
+  EXPECT_EQ(result.code, 0) << result.err;
+  ASSERT_FALSE(result.out_lines().empty());
+  for (const std::string& line : result.out_lines()) {
+    const json device = json::parse(line);
+    EXPECT_NE(device.at("verdict"), "");
+    EXPECT_GT(device.at("global_memory_bytes"), 0);
+  }
+  EXPECT_THAT(run_tool({"devices"}, with_cache()).out, HasSubstr("SELF-TEST"));
+}
+
+TEST_F(Device, GivesTheBitsOfTheReferenceWithColdWarmAndDamagedCache) {
+  const std::string expected = hash({"--device", "reference"});
+  EXPECT_EQ(hash({}), expected) << "cold";
+  EXPECT_EQ(run_tool({"warm"}, with_cache()).code, 0);
+  EXPECT_EQ(hash({}), expected) << "warm";
+  std::size_t damaged = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "cache")) {
+    if (!entry.is_regular_file()) continue;
+    const auto half = entry.file_size() / 2;
+    if (++damaged % 2 == 0)
+      std::filesystem::resize_file(entry.path(), half);
+    else
+      std::fstream(entry.path(), std::ios::binary | std::ios::in | std::ios::out).seekp(static_cast<long>(half))
+          << "damage";
+  }
+  EXPECT_GT(damaged, 0u);
+  EXPECT_EQ(hash({}), expected) << "damaged";
+}
+
+TEST_F(Device, WarmOfTheReferenceRendererIsAMistake) {
+  expect_one_line_error(run_tool({"warm", "--device", "reference"}), 2, "compiles nothing");
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test

@@ -1,0 +1,112 @@
+// Places that cannot take the output.
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int cannot_create = 73, write_failed = 74;
+
+class Output : public ScratchFolder {
+ protected:
+  std::vector<std::string> render(std::vector<std::string> options) {
+    std::vector<std::string> arguments = {"render", plant("shot.toml", cube_shot()), "--device", "reference"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return arguments;
+  }
+};
+
+// A file system of 256 KiB, mounted for one test; only root may. `mounted` is false for everybody else.
+class SmallDisk {
+ public:
+  explicit SmallDisk(const std::filesystem::path& folder) : folder_(folder) {
+    std::filesystem::create_directory(folder);
+    mounted = mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=256k") == 0;
+  }
+  ~SmallDisk() {
+    if (mounted) umount2(folder_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  bool mounted;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// No process started meanwhile can write a longer file, as under `ulimit -f`.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_ = {};
+};
+
+TEST_F(Output, BelowAFile) {
+  plant("taken", "not a folder");
+  expect_one_line_error(run_tool(render({"-o", path("taken/f.####.exr")})), cannot_create, "taken");
+  EXPECT_EQ(files(), (std::set<std::string>{"shot.toml", "taken"}));
+}
+
+TEST_F(Output, WhereNobodyMayWrite) {
+  expect_one_line_error(run_tool(render({"-o", "/proc/morphcl/f.####.exr"})), cannot_create, "/proc/morphcl");
+}
+
+TEST_F(Output, ContactSheetBelowAFile) {
+  plant("taken", "not a folder");
+  const ToolResult result = run_tool(render({"--contact-sheet", path("taken/sheet.png")}), {.folder = folder_});
+  EXPECT_EQ(result.code, cannot_create) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("sheet.png"));
+}
+
+TEST_F(Output, NewFoldersAreMade) {
+  EXPECT_EQ(run_tool(render({"--frames", "3", "-o", path("new/deep/f.##.exr")})).code, 0);
+  EXPECT_EQ(files(), (std::set<std::string>{"new/deep/f.03.exr", "shot.toml"}));
+}
+
+// 512x512 uncompressed RGBA and Z are 3 MiB, more than the disk or the limit has room for.
+TEST_F(Output, NoRoomLeft) {
+  const SmallDisk disk(folder_ / "disk");
+  ToolResult result;
+  {
+    const FileSizeLimit limit(disk.mounted ? RLIM_INFINITY : 256 << 10);
+    result = run_tool(render({"--size", "512x512", "--compression", "none", "-o", path("disk/f.####.exr"), "--quiet"}));
+  }
+  EXPECT_EQ(result.code, write_failed) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("disk/f.0000.exr"));
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+}
+
+TEST_F(Output, FileSizeLimitOfTheShell) {
+  ToolResult result;
+  {
+    const FileSizeLimit limit(256 << 10);
+    result =
+        run_tool(render({"--size", "512x512", "--compression", "none", "-o", path("f.####.exr"), "--frames", "1"}));
+  }
+  expect_one_line_error(result, write_failed, "f.0001.exr");
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+}
+
+TEST_F(Output, ResultsThatCannotBePrinted) {
+  const ToolResult result = run_tool({"plan", plant("shot.toml", cube_shot())}, {.stdout_path = "/dev/full"});
+  expect_one_line_error(result, write_failed, "stdout");
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test

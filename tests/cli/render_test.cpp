@@ -1,0 +1,190 @@
+// Frames that are rendered: their names, hashes, reports, and what --resume and --verify do.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class Render : public ScratchFolder {
+ protected:
+  Render() { plant("shot.toml", cube_shot()); }
+
+  ToolResult render(std::vector<std::string> options, ToolOptions how = {}) {
+    std::vector<std::string> arguments = {"render", path("shot.toml"), "--device", "reference"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    how.folder = folder_;
+    return run_tool(arguments, how);
+  }
+
+  // The objects of type `type` on stdout; every line of stdout must be an object of schema 1.
+  static std::vector<json> objects(const ToolResult& result, const std::string& type) {
+    std::vector<json> found;
+    for (const std::string& line : result.out_lines()) {
+      const json object = json::parse(line);
+      EXPECT_EQ(object.at("schema"), 1);
+      if (object.at("type") == type) found.push_back(object);
+    }
+    return found;
+  }
+
+  std::map<int, std::string> hashes(std::vector<std::string> options, const std::string& status) {
+    options.push_back("--json");
+    const ToolResult result = render(options);
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::map<int, std::string> found;
+    for (const json& frame : objects(result, "frame"))
+      if (frame.at("status") == status) found[frame.at("frame")] = frame.at("hash");
+    return found;
+  }
+};
+
+TEST_F(Render, DefaultNamesAndTheClosingLine) {
+  const ToolResult result = render({});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  ASSERT_EQ(result.out_lines().size(), 1u);
+  EXPECT_THAT(result.out, HasSubstr("5 frames rendered on "));
+  EXPECT_THAT(result.out, HasSubstr("frames/s): shot.0000.exr to shot.0004.exr"));
+  EXPECT_EQ(files(), (std::set<std::string>{"shot.0000.exr", "shot.0001.exr", "shot.0002.exr", "shot.0003.exr",
+                                            "shot.0004.exr", "shot.toml"}));
+}
+
+TEST_F(Render, QuietPrintsNothing) {
+  const ToolResult result = render({"--quiet"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(Render, JsonReportsEveryFrameAndASummary) {
+  const ToolResult result = render({"--json", "--frames", "1,3", "-o", "f.%03d.exr"});
+  const std::vector<json> frames = objects(result, "frame"), summaries = objects(result, "summary");
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0].at("path"), "f.001.exr");
+  EXPECT_EQ(frames[0].at("hash").get<std::string>().size(), 32u);
+  EXPECT_NE(frames[0].at("hash"), frames[1].at("hash"));
+  ASSERT_EQ(summaries.size(), 1u);
+  EXPECT_EQ(summaries[0].at("rendered"), 2);
+  EXPECT_EQ(summaries[0].at("failed"), 0);
+  EXPECT_EQ(summaries[0].at("interrupted"), false);
+  ASSERT_EQ(result.err_lines().size(), 2u);
+  EXPECT_EQ(json::parse(result.err_lines()[1]).at("done"), 2);
+}
+
+TEST_F(Render, AFrameIsWhatItsNumberSays) {
+  const auto all = hashes({}, "rendered"), alone = hashes({"--frames", "3", "-o", "alone.####.exr"}, "rendered");
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(alone.at(3), all.at(3));
+  EXPECT_EQ(read_file(path("alone.0003.exr")), read_file(path("shot.0003.exr")));
+}
+
+TEST_F(Render, ResumeKeepsWholeFramesAndMakesTheOthersAgain) {
+  const auto first = hashes({}, "rendered");
+  std::filesystem::remove(folder_ / "shot.0001.exr");
+  std::filesystem::resize_file(folder_ / "shot.0002.exr", std::filesystem::file_size(folder_ / "shot.0002.exr") / 2);
+  const ToolResult resumed = render({"--resume", "--json"});
+  std::map<int, std::string> status;
+  for (const json& frame : objects(resumed, "frame")) {
+    status[frame.at("frame")] = frame.at("status");
+    EXPECT_EQ(frame.at("hash"), first.at(frame.at("frame")));
+  }
+  EXPECT_EQ(status,
+            (std::map<int, std::string>{{0, "kept"}, {1, "rendered"}, {2, "rendered"}, {3, "kept"}, {4, "kept"}}));
+}
+
+TEST_F(Render, ResumeTrustsNoFrameOfAnotherShotOrSize) {
+  hashes({}, "rendered");
+  EXPECT_EQ(hashes({"--resume", "--size", "16x16"}, "rendered").size(), 5u);
+  plant("shot.toml", replaced(cube_shot(), "fovy_degrees = 45.0", "fovy_degrees = 40.0"));
+  EXPECT_EQ(hashes({"--resume", "--size", "16x16"}, "rendered").size(), 5u);
+  EXPECT_EQ(hashes({"--resume", "--size", "16x16"}, "kept").size(), 5u);
+}
+
+TEST_F(Render, LosslessCompressionsHoldTheSamePixels) {
+  const auto expected = hashes({"--frames", "2", "-o", "zip.####.exr"}, "rendered");
+  for (const char* name : {"none", "rle", "zips", "piz"})
+    EXPECT_EQ(hashes({"--frames", "2", "--compression", name, "-o", std::string(name) + ".##.exr"}, "rendered"),
+              expected)
+        << name;
+}
+
+TEST_F(Render, ChannelsThatWereNotAskedForAreNotInTheFile) {
+  ASSERT_EQ(render({"--frames", "0", "--channels", "Z"}).code, 0);
+  const std::string info = run_tool({"info", path("shot.0000.exr")}).out;
+  EXPECT_THAT(info, HasSubstr("Z float"));
+  EXPECT_THAT(info, Not(HasSubstr("R half")));
+}
+
+TEST_F(Render, PreviewAndContactSheetAndVerify) {
+  const ToolResult result = render({"--frames", "0-1", "--preview", "--contact-sheet", "all.png", "--verify"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("all.png"));
+  EXPECT_EQ(files(), (std::set<std::string>{"all.png", "shot.0000.exr", "shot.0000.png", "shot.0001.exr",
+                                            "shot.0001.png", "shot.toml"}));
+  EXPECT_EQ(read_file(path("all.png")).substr(1, 3), "PNG");
+}
+
+TEST_F(Render, TheBarIsDrawnOnATerminalOnly) {
+  const ToolResult colored =
+      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", ""}}, .stderr_is_terminal = true});
+  EXPECT_THAT(colored.err, HasSubstr("5/5 frames"));
+  EXPECT_THAT(colored.err, HasSubstr("frames/s"));
+  EXPECT_THAT(colored.err, HasSubstr("\033[32m"));
+  const ToolResult plain =
+      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}}, .stderr_is_terminal = true});
+  EXPECT_THAT(plain.err, HasSubstr("5/5 frames"));
+  EXPECT_THAT(plain.err, Not(HasSubstr("\033[32m")));
+  EXPECT_EQ(render({}, {.environment = {{"TERM", "dumb"}}, .stderr_is_terminal = true}).err, "");
+  EXPECT_EQ(render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .stderr_is_terminal = true}).err, "");
+}
+
+TEST_F(Render, InfoRecomputesTheHashThatTheFileHolds) {
+  const auto all = hashes({"--frames", "2"}, "rendered");
+  const ToolResult result = run_tool({"info", path("shot.0002.exr"), "--json"});
+  const std::vector<json> images = objects(result, "image");
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].at("hash"), all.at(2));
+  EXPECT_EQ(images[0].at("stored_hash"), all.at(2));
+  EXPECT_EQ(images[0].at("frame"), 2);
+  EXPECT_EQ(images[0].at("display_window"), "(0, 0) to (31, 17)");
+  EXPECT_EQ(objects(result, "channel").size(), 5u);
+}
+
+TEST_F(Render, InfoOfADamagedImage) {
+  ASSERT_EQ(render({"--frames", "2"}).code, 0);
+  std::filesystem::resize_file(folder_ / "shot.0002.exr", std::filesystem::file_size(folder_ / "shot.0002.exr") / 2);
+  expect_one_line_error(run_tool({"info", path("shot.0002.exr")}), 65, "shot.0002.exr");
+  expect_one_line_error(run_tool({"info", path("none.exr")}), 66, "none.exr");
+}
+
+TEST_F(Render, InfoOfAShot) {
+  const ToolResult table = run_tool({"info", path("shot.toml")});
+  EXPECT_THAT(table.out, HasSubstr("32x18"));
+  EXPECT_THAT(table.out, HasSubstr("0-4 at 25 per second"));
+  const ToolResult result = run_tool({"info", path("shot.toml"), "--json"});
+  ASSERT_EQ(objects(result, "scene").size(), 1u);
+  ASSERT_EQ(objects(result, "mesh").size(), 1u);
+  EXPECT_EQ(objects(result, "mesh")[0].at("triangles"), 12);
+}
+
+TEST_F(Render, PlanSaysWhatIsLeftOutAndWhy) {
+  const ToolResult table = run_tool({"plan", path("shot.toml"), "--frame", "2"});
+  EXPECT_EQ(table.code, 0);
+  EXPECT_THAT(table.out, HasSubstr("frame 2, 32x18"));
+  EXPECT_THAT(table.out, HasSubstr("left out"));
+  const ToolResult result = run_tool({"plan", path("shot.toml"), "--json"});
+  ASSERT_FALSE(objects(result, "plan").empty());
+  for (const json& note : objects(result, "plan")) {
+    EXPECT_EQ(note.at("frame"), 0);
+    EXPECT_TRUE(note.at("done").is_boolean());
+    EXPECT_NE(note.at("reason"), "");
+  }
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test

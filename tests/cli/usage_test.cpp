@@ -1,0 +1,81 @@
+// What is wrong on the command line itself: exit code 2, one line, nothing written.
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class Usage : public ScratchFolder {
+ protected:
+  void expect_usage_error(std::vector<std::string> options, const std::string& part) {
+    std::vector<std::string> arguments = {"render", plant("shot.toml", cube_shot()), "--device", "reference"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_one_line_error(run_tool(arguments, {.folder = folder_}), 2, part);
+    EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+  }
+};
+
+TEST_F(Usage, NoCommand) { expect_one_line_error(run_tool({}), 2, "--help"); }
+TEST_F(Usage, UnknownCommand) { expect_one_line_error(run_tool({"paint"}), 2, "paint"); }
+TEST_F(Usage, NoScene) { expect_one_line_error(run_tool({"render"}), 2, "SCENE"); }
+TEST_F(Usage, UnknownOption) { expect_usage_error({"--colour"}, "--colour"); }
+TEST_F(Usage, OptionWithoutItsValue) { expect_usage_error({"--size"}, "--size"); }
+TEST_F(Usage, OptionGivenTwice) { expect_usage_error({"--size", "4x4", "--size", "8x8"}, "--size"); }
+TEST_F(Usage, SizeZero) { expect_usage_error({"--size", "0x18"}, "--size: '0x18'"); }
+TEST_F(Usage, SizeAbsurd) { expect_usage_error({"--size", "16385x1"}, "16384"); }
+TEST_F(Usage, SizeOverflows) { expect_usage_error({"--size", "99999999999999999999x1"}, "--size"); }
+TEST_F(Usage, SizeWithoutHeight) { expect_usage_error({"--size", "640"}, "WIDTHxHEIGHT"); }
+TEST_F(Usage, FramesBackwards) { expect_usage_error({"--frames", "5-1"}, "5-1"); }
+TEST_F(Usage, FramesWithColon) { expect_usage_error({"--frames", "1-10:2"}, ":"); }
+TEST_F(Usage, FramesColonAlone) { expect_usage_error({"--frames", ":"}, ":"); }
+TEST_F(Usage, FramesEmptyPart) { expect_usage_error({"--frames", "1,,2"}, "1,,2"); }
+TEST_F(Usage, FramesNotNumbers) { expect_usage_error({"--frames", "all"}, "all"); }
+TEST_F(Usage, FramesTooMany) { expect_usage_error({"--frames", "0-99999999999"}, "99999999999"); }
+TEST_F(Usage, FpsZero) { expect_usage_error({"--fps", "0"}, "--fps"); }
+TEST_F(Usage, FpsDividedByZero) { expect_usage_error({"--fps", "25/0"}, "--fps"); }
+TEST_F(Usage, ThreadsZero) { expect_usage_error({"--threads", "0"}, "--threads"); }
+TEST_F(Usage, ThreadsAbsurd) { expect_usage_error({"--threads", "100000"}, "1024"); }
+TEST_F(Usage, UnknownCompression) { expect_usage_error({"--compression", "gzip"}, "piz"); }
+TEST_F(Usage, UnknownChannel) { expect_usage_error({"--channels", "RGB"}, "'RGB' is no channel"); }
+TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--channels"); }
+TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
+TEST_F(Usage, PatternWithoutNumber) { expect_usage_error({"-o", "out.exr"}, "out.exr"); }
+TEST_F(Usage, PatternWithTwoNumbers) { expect_usage_error({"-o", "a.####.%04d.exr"}, "a.####.%04d.exr"); }
+TEST_F(Usage, ControlCharactersStayOnOneLine) { expect_usage_error({"--size", "1\n2\033[31m"}, "--size"); }
+
+TEST(Help, IsOnStdoutWithCodeZero) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"--help"},
+                                                                                         {"render", "--help"},
+                                                                                         {"plan", "-h"},
+                                                                                         {"info", "--help"},
+                                                                                         {"devices", "--help"},
+                                                                                         {"warm", "--help"}}) {
+    const ToolResult result = run_tool(arguments);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, HasSubstr("Usage: morphcl"));
+  }
+}
+
+TEST(Help, OfRenderNamesEveryOptionOfTheContractWithItsGroup) {
+  const std::string help = run_tool({"render", "--help"}).out;
+  for (const char* option :
+       {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads", "--resume",
+        "--verify", "--json", "--quiet", "--contact-sheet", "--preview", "--fps", "--allow-outside"})
+    EXPECT_THAT(help, HasSubstr(option));
+  for (const char* group : {"Image:", "Time:", "Output:", "Device:", "Report:", "Input:"})
+    EXPECT_THAT(help, HasSubstr(group));
+}
+
+TEST(Version, IsTheProjectsOnOneLine) {
+  const ToolResult result = run_tool({"--version"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out, "morphcl " MORPHCL_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test
