@@ -34,9 +34,7 @@ SinCos sin_cos_degrees(double degrees) {
   if (!std::isfinite(degrees)) throw Error(ErrorKind::usage, "", "an angle is not a finite number; give it in degrees");
   int quarter_turns = 0;
   const double rest = std::remquo(degrees, 90.0, &quarter_turns);
-  SinCos turned = first_octants(rest);
-  if (std::abs(rest) == 30) turned.sin = std::copysign(0.5, rest);
-  if (std::abs(rest) == 45) turned = {std::copysign(std::sqrt(0.5), rest), std::sqrt(0.5)};
+  const SinCos turned = first_octants(rest);
   // Adding 0 turns -0 into +0, so that equal rotations have equal bits.
   switch (quarter_turns & 3) {
     case 0:

@@ -36,15 +36,14 @@ TEST(LookAt, RandomCameras) {
   }
 }
 
+// Eye minus target is not exact here: where up is almost parallel to it, what its rounding loses decides the answer.
 TEST(LookAt, UpNearlyAlongTheView) {
   Random random(42);
   for (int i = 0; i < 3000; ++i) {
-    const glm::dvec3 eye = random.vector(1e3), view = random.vector(1);
-    const glm::dvec3 target = eye + view;
-    const double angle = std::pow(10.0, random.in(-11, 0));
-    const glm::dvec3 up = (target - eye) * 3.0 + angle * random.vector(1);
-    if (glm::length(glm::cross(up, view)) < 4e-12 * glm::length(up) * glm::length(view)) continue;
-    expect_look_at(eye, target, up, "camera " + std::to_string(i));
+    const glm::dvec3 eye = random.vector(1e3), target = random.vector(1), view = eye - target;
+    const glm::dvec3 across = glm::normalize(glm::cross(view, random.vector(1))) * glm::length(view);
+    const double angle = std::pow(10.0, random.in(-11.5, 0));
+    expect_look_at(eye, target, 2.0 * view + 2 * angle * across, "camera " + std::to_string(i));
   }
 }
 
