@@ -1,0 +1,75 @@
+#include "tests/demos/expected_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <Imath/half.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "host/render/plan.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "host/scene/load_scene.hpp"
+
+namespace morphcl::viewer_test {
+namespace {
+
+std::uint8_t srgb_code(std::uint16_t bits) {
+  half value;
+  value.setBits(bits);
+  const double linear = std::clamp(static_cast<double>(value), 0.0, 1.0);
+  const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+}
+
+}  // namespace
+
+Scene demo_scene(const std::string& shot, int width, int height) {
+  LoadOptions options;
+  options.width = width;
+  options.height = height;
+  Scene scene = load_scene(std::string(MORPHCL_TEST_SHOTS) + "/" + shot, options);
+  scene.image.width = width;
+  scene.image.height = height;
+  return scene;
+}
+
+FrameBuffer expected_frame(const Scene& scene, std::int64_t frame) {
+  FrameBuffer buffer(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
+  make_reference_renderer()->render(plan_frame(scene, frame), buffer);
+  return buffer;
+}
+
+RgbImage srgb_picture(const FrameBuffer& frame) {
+  RgbImage picture(frame.width(), frame.height(), Rgb{});
+  for (int y = 0; y < frame.height(); ++y) {
+    for (int x = 0; x < frame.width(); ++x) {
+      const std::size_t at = y * frame.row_pitch() + x;
+      picture.at(x, y) = {srgb_code(frame.color(0)[at]), srgb_code(frame.color(1)[at]), srgb_code(frame.color(2)[at])};
+    }
+  }
+  return picture;
+}
+
+std::string difference(const RgbImage& actual, const RgbImage& expected, int bound) {
+  if (actual.width < expected.width || actual.height < expected.height) {
+    return fmt::format("picture of {}x{}, expected {}x{}", actual.width, actual.height, expected.width,
+                       expected.height);
+  }
+  std::string first;
+  int count = 0;
+  for (int y = 0; y < expected.height; ++y) {
+    for (int x = 0; x < expected.width; ++x) {
+      const Rgb &a = actual.at(x, y), &e = expected.at(x, y);
+      const int off = std::max({std::abs(a.red - e.red), std::abs(a.green - e.green), std::abs(a.blue - e.blue)});
+      if (off <= bound) continue;
+      if (count++ == 0) {
+        first = fmt::format("pixel ({}, {}): expected {} {} {}, actual {} {} {}, bound {}", x, y, e.red, e.green,
+                            e.blue, a.red, a.green, a.blue, bound);
+      }
+    }
+  }
+  return count == 0 ? "" : fmt::format("{}; {} pixels differ", first, count);
+}
+
+}  // namespace morphcl::viewer_test
