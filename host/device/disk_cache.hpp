@@ -30,6 +30,8 @@ class DiskCache {
   // Files are folder/KEY.SUFFIX; nullopt: never finds and never stores.
   DiskCache(std::optional<std::filesystem::path> folder, std::string suffix);
 
+  bool has_folder() const { return folder_.has_value(); }
+
   std::optional<std::vector<unsigned char>> load(const CacheKey& key) const;
 
   // True if the content stands under its key now. Creates the folder.

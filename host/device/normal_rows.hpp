@@ -8,9 +8,9 @@ namespace morphcl {
 // The inverse transpose of the linear part of `rows`, times the positive power of two that brings its largest entry to
 // [1/2, 1); the translations are 0. It is computed as the cofactor matrix with the determinant's sign, in fp64, and
 // rounded once: the products of two floats are exact there, so every entry is within u32 (1 + 2^-28) of its exact
-// value, relative. A singular matrix has no inverse; its cofactors still hold the normal of the plane that everything
-// falls on, and are 0 where everything falls on a line. Its sign, and that of a determinant too near to 0 to tell,
-// counts as positive. Error(usage) if an entry of the linear part is not finite.
+// value, relative, or within 2^-150 where it is denormal. A singular matrix has no inverse; its cofactors still hold
+// the normal of the plane that everything falls on, and are 0 where everything falls on a line. Its sign, and that of a
+// determinant too near to 0 to tell, counts as positive. Error(usage) if an entry of the linear part is not finite.
 AffineRows normal_rows(const AffineRows& rows);
 
 }  // namespace morphcl

@@ -89,6 +89,8 @@ std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const 
 }
 
 bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options) const {
+  // Not asked in vain: PoCL compiles all kernels once more for a binary.
+  if (!binaries_.has_folder()) return false;
   try {
     const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
     return binaries.size() == 1 && !binaries.front().empty() && binaries_.store(key(source, options), binaries.front());

@@ -49,11 +49,14 @@ class Session {
   const cl::CommandQueue& queue() const;  // in order
 
   // A kernel of the embedded program `stage` ("bin_triangles" for kernels/bin_triangles.cl), built on first use from
-  // the cached binary, else from source. Thread-safe. Errors name the stage and hold the first line of the build log.
+  // the cached binary, else from source. Thread-safe; each call returns a kernel object of its own, so that threads do
+  // not share arguments. Errors name the stage and hold the first line of the build log.
   cl::Kernel kernel(const std::string& stage, const std::string& kernel_name);
 
   // Stores the binaries of programs that were built from source, now that their work-group functions exist. Called once
-  // after a frame was rendered; cheap when there is nothing to store. Never throws: an unwritable cache is no error.
+  // after a frame was rendered; cheap when there is nothing to store. Else PoCL takes about as long as it took to
+  // compile: call it after the first frame is written, or from a thread of its own, as kernels may be used meanwhile.
+  // Never throws: an unwritable cache is no error.
   void store_programs();
 
  private:

@@ -28,7 +28,16 @@ bool is_aligned(std::span<float> values) { return reinterpret_cast<std::uintptr_
 // The user's arrays as buffers: one for each distinct array, as two buffers over one memory are not coherent.
 class HostBuffers {
  public:
-  explicit HostBuffers(const cl::Context& context) : context_(context) {}
+  explicit HostBuffers(const Session& session) : context_(session.context()), queue_(session.queue()) {}
+  ~HostBuffers() {
+    // Where a later step failed, commands that are under way must not outlive the caller's arrays.
+    try {
+      queue_.finish();
+    } catch (const cl::Error&) {
+    }
+  }
+  HostBuffers(const HostBuffers&) = delete;
+  HostBuffers& operator=(const HostBuffers&) = delete;
 
   const cl::Buffer& operator()(std::span<const float> values) {
     cl::Buffer& buffer = buffers_[values.data()];
@@ -41,6 +50,7 @@ class HostBuffers {
 
  private:
   cl::Context context_;
+  cl::CommandQueue queue_;
   std::map<const float*, cl::Buffer> buffers_;
 };
 
@@ -53,7 +63,7 @@ void transform_some(Session& session, const char* kernel_name, std::span<const M
   const std::size_t items = (count + points_per_item - 1) / points_per_item;
   const cl::NDRange global((items + group - 1) / group * group), local(group);
 
-  HostBuffers buffer(session.context());
+  HostBuffers buffer(session);
   cl::Kernel kernel = session.kernel("transform_points", kernel_name);
   const auto start = [&](const auto&... row) {
     launch(session.queue(), kernel, global, local, row..., buffer(in.x), buffer(in.y), buffer(in.z), buffer(out.x),
@@ -64,9 +74,9 @@ void transform_some(Session& session, const char* kernel_name, std::span<const M
       start(device_row(rows[0]), device_row(rows[1]), device_row(rows[2]), device_row(rows[3]));
     else
       start(device_row(rows[0]), device_row(rows[1]), device_row(rows[2]));
-    // Mapping is what brings the results into the caller's memory.
+    // Mapping is what brings the results into the caller's memory; one wait for all three.
     for (const std::span<float> values : {out.x, out.y, out.z}) {
-      void* mapped = session.queue().enqueueMapBuffer(buffer(values), CL_TRUE, CL_MAP_READ, 0, values.size_bytes());
+      void* mapped = session.queue().enqueueMapBuffer(buffer(values), CL_FALSE, CL_MAP_READ, 0, values.size_bytes());
       session.queue().enqueueUnmapMemObject(buffer(values), mapped);
     }
     session.queue().finish();

@@ -1,0 +1,130 @@
+// Processes that share a cache folder, damaged files in it, and folders that cannot be written.
+#include "host/device/program_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "tests/device/child_process.hpp"
+#include "tests/device/temporary_folder.hpp"
+
+namespace morphcl {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ChildProcess;
+using testing::ChildResult;
+using testing::device_child_command;
+using testing::Environment;
+using testing::run_device_child;
+using testing::TemporaryFolder;
+
+const std::vector<std::string> transform = {"transform", "100"};
+
+Environment with_cache(const fs::path& folder) { return {{"MORPHCL_CACHE_DIR", folder.string()}}; }
+
+std::set<fs::path> files_with(const fs::path& folder, const std::string& extension) {
+  std::set<fs::path> files;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder / "programs", missing))
+    if (entry.path().extension() == extension) files.insert(entry.path());
+  return files;
+}
+
+std::string expect_hash(const ChildResult& result) {
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_NE(result.value("hash"), "") << result.output;
+  return result.value("hash");
+}
+
+// The hash without any cache: what every other run must give.
+const std::string& expected_hash() {
+  static const std::string hash = expect_hash(run_device_child(transform, {{"MORPHCL_CACHE_DIR", "-"}}));
+  return hash;
+}
+
+TEST(ProgramCacheFolder, HoldsProgramsAndVerdictAfterARun) {
+  const TemporaryFolder cache;
+  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 2u);  // transform_points and self_test
+  EXPECT_EQ(files_with(cache.path(), ".verdict").size(), 1u);
+  EXPECT_EQ(files_with(cache.path(), ".tmp").size(), 0u);
+  // A second run uses them as they are, and finds its kernels even when PoCL's own cache is gone.
+  std::map<fs::path, fs::file_time_type> written;
+  for (const auto& file : files_with(cache.path(), ".clbin")) written[file] = fs::last_write_time(file);
+  fs::remove_all(cache / "pocl");
+  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+  for (const auto& [file, time] : written) EXPECT_EQ(fs::last_write_time(file), time) << file;
+}
+
+TEST(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
+  const TemporaryFolder cache;
+  expect_hash(run_device_child(transform, with_cache(cache.path())));
+  const auto damage = [&](const char* how, auto change) {
+    for (const char* kind : {".clbin", ".verdict"})
+      for (const auto& file : files_with(cache.path(), kind)) change(file);
+    EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash()) << how;
+  };
+  damage("cut", [](const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); });
+  damage("emptied", [](const fs::path& file) { fs::resize_file(file, 0); });
+  damage("overwritten in the middle", [](const fs::path& file) {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(static_cast<std::streamoff>(fs::file_size(file) / 2)).write("\xde\xad\xbe\xef", 4);
+  });
+  // Each was stored anew, so that one more run rewrites nothing.
+  std::map<fs::path, fs::file_time_type> written;
+  for (const auto& file : files_with(cache.path(), ".clbin")) written[file] = fs::last_write_time(file);
+  EXPECT_EQ(written.size(), 2u);
+  expect_hash(run_device_child(transform, with_cache(cache.path())));
+  for (const auto& [file, time] : written) EXPECT_EQ(fs::last_write_time(file), time) << file;
+}
+
+TEST(ProgramCacheFolder, FourProcessesMayFillItAtOnce) {
+  const TemporaryFolder cache;
+  std::vector<ChildProcess> children;
+  for (int i = 0; i < 4; ++i) children.emplace_back(device_child_command(transform), with_cache(cache.path()));
+  for (ChildProcess& child : children) EXPECT_EQ(expect_hash(child.wait()), expected_hash());
+  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 2u);
+  EXPECT_EQ(files_with(cache.path(), ".tmp").size(), 0u);
+  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+}
+
+// PoCL finds no device at all where its cache cannot be written; a temporary folder stands in and is cleared away.
+TEST(ProgramCacheFolder, ThatCannotBeWrittenIsNoError) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "tmp");
+  std::ofstream(folder / "file") << "in the way";
+  Environment environment = with_cache(folder / "file" / "cache");
+  environment["TMPDIR"] = (folder / "tmp").string();
+  environment["HOME"] = (folder / "file").string();
+  EXPECT_EQ(expect_hash(run_device_child(transform, environment)), expected_hash());
+  EXPECT_TRUE(fs::is_empty(folder / "tmp"));
+}
+
+TEST(ProgramCacheFolder, ThatMayOnlyBeReadIsUsed) {
+  const TemporaryFolder cache;
+  expect_hash(run_device_child(transform, with_cache(cache.path())));
+  const auto all = {cache.path(), cache / "programs", cache / "pocl"};
+  for (const auto& folder : all) fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+  for (const auto& folder : all) fs::permissions(folder, fs::perms::owner_all);
+}
+
+TEST(ProgramCacheFolder, KernelLibrariesOfPoclDoNotMix) {
+  const TemporaryFolder cache;
+  expect_hash(run_device_child(transform, with_cache(cache.path())));
+  Environment environment = with_cache(cache.path());
+  environment["POCL_WORK_GROUP_METHOD"] = "loopvec";
+  expect_hash(run_device_child(transform, environment));
+  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 4u);
+  // The number of threads changes no code.
+  environment = with_cache(cache.path());
+  environment["SLURM_CPUS_PER_TASK"] = "1";
+  expect_hash(run_device_child(transform, environment));
+  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 4u);
+}
+
+}  // namespace
+}  // namespace morphcl

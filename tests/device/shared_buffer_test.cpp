@@ -1,0 +1,95 @@
+// Buffers that host and device share.
+#include "host/device/shared_buffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "host/device/launch.hpp"
+#include "tests/device/shared_session.hpp"
+
+namespace morphcl {
+namespace {
+
+using testing::shared_session;
+
+const cl::CommandQueue& queue() { return shared_session().queue(); }
+
+TEST(SharedBuffer, StartsWithAPageAndNeverShrinks) {
+  SharedBuffer buffer(shared_session().context());
+  EXPECT_GE(buffer.capacity(), 4096u);
+  buffer.ensure(10000);
+  const std::size_t capacity = buffer.capacity();
+  EXPECT_GE(capacity, 10000u);
+  const cl_mem object = buffer.buffer()();
+  buffer.ensure(0);
+  buffer.ensure(10000);
+  EXPECT_EQ(buffer.capacity(), capacity);
+  EXPECT_EQ(buffer.buffer()(), object);
+}
+
+TEST(SharedBuffer, IsAlignedToPagesAndLargeOnesToHugePages) {
+  SharedBuffer buffer(shared_session().context());
+  const auto address = [&] { return reinterpret_cast<std::uintptr_t>(buffer.map<char>(queue(), 1).data()); };
+  EXPECT_EQ(address() % 4096, 0u);
+  buffer.ensure(std::size_t{5} << 20);
+  EXPECT_EQ(address() % (2 << 20), 0u);
+}
+
+TEST(SharedBuffer, HostAndDeviceSeeEachOthersWrites) {
+  cl::Program program(shared_session().context(),
+                      "kernel void increment(global int* values) { ++values[get_global_id(0)]; }");
+  program.build();
+  cl::Kernel increment(program, "increment");
+  SharedBuffer buffer(shared_session().context());
+  constexpr int count = 3000;
+  buffer.ensure(count * sizeof(int));
+  for (int round = 0; round < 3; ++round) {
+    {
+      const auto values = buffer.map<int>(queue(), count);
+      for (int i = 0; i < count; ++i) values[i] = i * round;
+    }
+    launch(queue(), increment, cl::NDRange(count), cl::NDRange(100), buffer.buffer());
+    const auto values = buffer.map<const int>(queue(), count);
+    for (int i = 0; i < count; ++i) ASSERT_EQ(values[i], i * round + 1) << "element " << i << ", round " << round;
+  }
+}
+
+// A kernel is still at work on the old memory when the buffer grows; under a sanitizer a freed block would show.
+TEST(SharedBuffer, GrowsWhileTheDeviceUsesTheOldMemory) {
+  cl::Program program(shared_session().context(), R"CL(
+    kernel void keep_busy(global uint* values, uint rounds) {
+      uint state = get_global_id(0);
+      for (uint i = 0; i < rounds; ++i) {
+        state = state * 1664525u + 1013904223u;
+        values[(get_global_id(0) * 1024) + (state >> 22)] = state;
+      }
+    })CL");
+  program.build();
+  cl::Kernel keep_busy(program, "keep_busy");
+  SharedBuffer buffer(shared_session().context());
+  buffer.ensure(16 * 1024 * sizeof(cl_uint));
+  launch(queue(), keep_busy, cl::NDRange(16), cl::NDRange(1), buffer.buffer(), cl_uint{1000000});
+  buffer.ensure(std::size_t{8} << 20);
+  queue().finish();
+  EXPECT_GE(buffer.capacity(), std::size_t{8} << 20);
+}
+
+TEST(SharedBuffer, MoreThanTheDeviceHasIsRefused) {
+  SharedBuffer buffer(shared_session().context());
+  for (const std::size_t bytes :
+       {shared_session().info().largest_allocation + 1, std::numeric_limits<std::size_t>::max()}) {
+    try {
+      buffer.ensure(bytes);
+      FAIL() << bytes << " bytes were granted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::no_device);
+      EXPECT_NE(std::string(error.what()).find(std::to_string(bytes)), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GE(buffer.capacity(), 4096u);  // what there was is kept
+}
+
+}  // namespace
+}  // namespace morphcl
