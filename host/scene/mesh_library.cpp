@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "host/geometry/solids.hpp"
 #include "host/scene/gltf_import.hpp"
 #include "host/scene/input_file.hpp"
 #include "host/scene/nearest_name.hpp"
@@ -54,8 +53,8 @@ std::string request(const ShotTable& object) {
 
 }  // namespace
 
-MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside)
-    : shot_(std::move(shot)), time_(time), vertices_left_(max_solid_vertices) {
+MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices)
+    : shot_(std::move(shot)), time_(time), max_vertices_(max_vertices), vertices_left_(max_vertices) {
   limits_.allow_outside = allow_outside;
 }
 
@@ -86,11 +85,11 @@ ImportedModel MeshLibrary::make_built_in(const ShotTable& object) {
   const ShotValue name = object.need("mesh");
   const auto segments = read_segments(object);
   const ShotValue place = segments ? object.need("segments") : name;
-  vertices_left_ -= solid_vertices(name.text(), segments);
+  vertices_left_ -= placed_at(place, [&] { return solid_vertices(name.text(), segments); });
   if (vertices_left_ < 0)
-    place.fail(fmt::format("the built-in solids have more than {} vertices together", max_solid_vertices));
+    place.fail(fmt::format("the built-in solids have more than {} vertices together", max_vertices_));
   ImportedModel model;
-  model.meshes.push_back(placed_at(place, [&] { return make_solid(name.text(), segments); }));
+  model.meshes.push_back(make_solid(name.text(), segments));
   Object part;
   part.name = name.text();
   model.objects.push_back(part);

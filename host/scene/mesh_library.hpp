@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "anim/time_base.hpp"
+#include "host/geometry/solids.hpp"
 #include "host/scene/content_hash.hpp"
 #include "host/scene/imported_model.hpp"
 #include "host/scene/shot_value.hpp"
@@ -17,7 +18,8 @@ namespace morphcl {
 class MeshLibrary {
  public:
   // `shot` is the path of the shot file; files are seen from its folder and, unless `allow_outside`, must lie below it.
-  MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside);
+  // The built-in solids may have `max_vertices` together.
+  MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices = max_solid_vertices);
 
   // The model that the keys mesh, segments and targets of an object's table ask for. A built-in solid is a model of one
   // mesh, one object and one node. In the model's objects, `mesh` is an index into the meshes that take_meshes returns;
@@ -38,7 +40,7 @@ class MeshLibrary {
   std::string shot_;
   TimeBase time_;
   ImportLimits limits_;
-  long long vertices_left_;
+  long long max_vertices_, vertices_left_;
   std::map<std::string, ImportedModel> models_;  // by what was asked for
   std::vector<Mesh> meshes_;
   std::vector<std::string> warnings_, hashes_;

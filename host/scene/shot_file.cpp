@@ -28,7 +28,10 @@ void read_image_and_time(const ShotTable& shot, const LoadOptions& options, Scen
 }  // namespace
 
 Scene read_shot(const std::string& path, const LoadOptions& options) {
-  const std::string text = read_input_file(path, max_toml_bytes);
+  return read_shot_text(read_input_file(path, max_toml_bytes), path, options);
+}
+
+Scene read_shot_text(std::string_view text, const std::string& path, const LoadOptions& options) {
   const TomlValue document = parse_toml(text, path);
   const ShotTable shot =
       ShotValue(path, document, "a shot").table({"image", "frames", "ambient", "camera", "light", "object"});
@@ -43,6 +46,9 @@ Scene read_shot(const std::string& path, const LoadOptions& options) {
   MeshLibrary library(path, scene.timeline.time, options.allow_outside);
   ObjectReader objects(library, tracks, scene);
   shot.for_each("object", [&](const ShotValue& object) { objects.read(object); });
+  const auto object_list = shot.find("object");
+  if (!object_list || (object_list->is_array() && object_list->size() == 0))
+    shot.value().fail("nothing to draw; a shot needs at least one [[object]] with a mesh");
   scene.meshes = library.take_meshes();
   scene.warnings = library.warnings();
   complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});

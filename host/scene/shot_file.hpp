@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host/scene/load_scene.hpp"
 
@@ -11,5 +12,8 @@ namespace morphcl {
 // complete_scene (host/scene/fitted_camera.hpp). Error(cannot_read) for the shot itself; everything wrong in it is
 // Error(bad_input) at "file:line:column", in a model that it names at the importer's place.
 Scene read_shot(const std::string& path, const LoadOptions& options);
+
+// The same for the text of a shot that would lie at `path`.
+Scene read_shot_text(std::string_view text, const std::string& path, const LoadOptions& options);
 
 }  // namespace morphcl

@@ -82,7 +82,8 @@ void ObjectReader::read(const ShotValue& object) {
 
   const std::size_t first_object = scene_.objects.size();
   add_model(table, model, root, name);
-  table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object); });
+  std::unordered_set<std::string> driven;
+  table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
 }
 
 void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {
@@ -100,10 +101,12 @@ void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model,
   scene_.timeline.weights.insert(scene_.timeline.weights.end(), model.weights.begin(), model.weights.end());
 }
 
-void ObjectReader::read_track(const ShotValue& value, int root, std::size_t first_object) {
+void ObjectReader::read_track(const ShotValue& value, int root, std::size_t first_object,
+                              std::unordered_set<std::string>& driven) {
   const ShotTable table = TrackReader::table(value);
   const ShotValue target = TrackReader::target(table);
   const std::string& name = target.text();
+  if (!driven.insert(name).second) target.fail(fmt::format("{} is driven twice", name));
   if (std::string_view(name).substr(0, morph_prefix.size()) == morph_prefix) {
     drive_morph(table, name.substr(morph_prefix.size()), first_object);
     return;
@@ -112,7 +115,6 @@ void ObjectReader::read_track(const ShotValue& value, int root, std::size_t firs
   if (!track)
     target.fail(fmt::format("an object has no value \"{}\" to move{}", name,
                             suggestion(name, {"morph.NAME", "translation", "rotation", "scale", "visible"})));
-  if (!track->empty()) target.fail(fmt::format("{} is driven twice", name));
   *track = tracks_.read(table, kind);
 }
 

@@ -1,6 +1,7 @@
 // The [[object]] tables of a shot file.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <unordered_set>
 
@@ -24,7 +25,7 @@ class ObjectReader {
  private:
   std::string read_name(const ShotTable& table);
   void add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name);
-  void read_track(const ShotValue& track, int root, std::size_t first_object);
+  void read_track(const ShotValue& track, int root, std::size_t first_object, std::unordered_set<std::string>& driven);
   void drive_morph(const ShotTable& track, const std::string& target, std::size_t first_object);
 
   MeshLibrary& library_;

@@ -1,0 +1,64 @@
+// The shots of demos/ load, and show what they promise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "host/scene/load_scene.hpp"
+
+namespace morphcl {
+namespace {
+
+Scene demo(const std::string& name) { return load_scene(std::string(MORPHCL_DEMOS) + "/" + name); }
+
+TEST(DemoShots, AllLoadWithoutWarnings) {
+  int shots = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MORPHCL_DEMOS))
+    if (entry.path().extension() == ".toml") {
+      EXPECT_TRUE(load_scene(entry.path().string()).warnings.empty()) << entry.path();
+      ++shots;
+    }
+  EXPECT_GE(shots, 5);
+}
+
+TEST(DemoShots, PyramidToCubeMorphsInAHundredSteps) {
+  const Scene scene = demo("pyramid_to_cube.toml");
+  const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
+  ASSERT_EQ(frames.size(), 101u);
+  EXPECT_EQ(scene.image.width, 1920);
+  EXPECT_EQ(scene.image.height, 1080);
+  for (const std::int64_t frame : frames)
+    EXPECT_EQ(evaluate(scene.timeline, frame).weights[0][0], static_cast<double>(frame) / 100) << "frame " << frame;
+}
+
+TEST(DemoShots, WireframeTurnsHalfADegreeAFrame) {
+  const Scene scene = demo("wireframe.toml");
+  EXPECT_EQ(scene.image.width, 600);
+  EXPECT_EQ(scene.image.height, 600);
+  EXPECT_EQ(wireframe_edges(scene.meshes[0]).size(), 12u);
+  const int node = scene.objects[0].node;
+  const auto turned = [&](std::int64_t frame) {
+    return glm::dmat3(evaluate(scene.timeline, frame).node_to_world[node]);
+  };
+  // The trace of a rotation by a is 1 + 2 cos a; the scale is 0.02.
+  for (const std::int64_t frame : {0, 1, 300, 719}) {
+    const glm::dmat3 now = turned(frame), next = turned(frame + 1), step = next * glm::transpose(now) / (0.02 * 0.02);
+    EXPECT_NEAR(step[0][0] + step[1][1] + step[2][2], 1 + 2 * std::cos(0.5 * M_PI / 180), 1e-12) << "frame " << frame;
+  }
+}
+
+TEST(DemoShots, TeapotsStandAtTheirFiveDepths) {
+  const Scene scene = demo("teapots.toml");
+  ASSERT_EQ(scene.objects.size(), 5u);
+  EXPECT_EQ(scene.meshes.size(), 1u);
+  const FrameState state = evaluate(scene.timeline, 0);
+  const glm::dmat4 to_clip = projection_matrix(state.camera.projection, 1) * state.camera.world_to_eye;
+  const std::vector<double> depths = {1. / 7, 3. / 7, 31. / 49, 11. / 14, 19. / 21};  // NDC, frustum from 3 to 10
+  for (std::size_t i = 0; i < 5; ++i) {
+    const glm::dvec4 clip = to_clip * state.node_to_world[scene.objects[i].node] * glm::dvec4(0, 0, 0, 1);
+    EXPECT_NEAR(clip.z / clip.w, depths[i], 1e-14) << "teapot " << i;
+  }
+}
+
+}  // namespace
+}  // namespace morphcl

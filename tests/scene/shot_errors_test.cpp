@@ -1,0 +1,163 @@
+// Every way to write a shot wrongly: kind, line and column, what is wrong and what would be right.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "tests/scene/shot_folder.hpp"
+
+namespace morphcl {
+namespace {
+
+using test::ShotFolder;
+
+struct Wrong {
+  const char* name;
+  const char* shot;      // one more object with the mesh "cube" is added after it
+  const char* expected;  // after "shot.toml:"
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+
+class WrongShot : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongShot, IsRefusedWithItsPlace) {
+  const ShotFolder folder;
+  const std::string shot = std::string(GetParam().shot) + "\n" + std::string(test::cube_object);
+  EXPECT_EQ(folder.refusal(shot), std::string("shot.toml:") + GetParam().expected);
+}
+
+// The text of a syntax error is the TOML library's; its place is ours to keep.
+TEST(WrongSyntax, IsRefusedWithItsPlace) {
+  const ShotFolder folder;
+  EXPECT_EQ(folder.refusal("[frames]\nfps = = 25").substr(0, 15), "shot.toml:2:7: ");
+  EXPECT_EQ(folder.refusal("[frames]\nfps = 25\nfps = 24").substr(0, 12), "shot.toml:3:");
+  EXPECT_EQ(folder.refusal("[frames\nfps = 25").substr(0, 12), "shot.toml:1:");
+}
+
+std::string name_of(const ::testing::TestParamInfo<Wrong>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, WrongShot,
+    ::testing::Values(
+        Wrong{"UnknownTable", "[camra]\nnear = 1", "1:2: unknown key \"camra\" in a shot; did you mean \"camera\"?"},
+        Wrong{"UnknownKey", "[frames]\nfsp = 25", "2:1: unknown key \"fsp\" in frames; did you mean \"fps\"?"},
+        Wrong{"UnknownKeyFarFromAny", "[frames]\nzoom = 25", "2:1: unknown key \"zoom\" in frames; known: range, fps"},
+        Wrong{"OneTableInsteadOfSeveral", "[light]\ndirection = [0, 0, 1]",
+              "1:1: light is one table; several are possible, so write it with [[ ]]"},
+        Wrong{"TableIsAValue", "image = 5", "1:9: image is an integer; a table is needed"},
+        Wrong{"Date", "[frames]\nfps = 2020-01-01", "2:7: fps is a date; an integer is needed"},
+        Wrong{"LongDottedKey", "a.b.c.d.e.f.g.h.i = 1", "1:16: a key of more than 8 parts"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Image, WrongShot,
+    ::testing::Values(
+        Wrong{"SizeIsText", "[image]\nsize = \"big\"", "2:8: size must be two integers: [width, height] in pixels"},
+        Wrong{"SizeOfThree", "[image]\nsize = [1, 2, 3]", "2:8: size must be two integers: [width, height] in pixels"},
+        Wrong{"SizeZero", "[image]\nsize = [0, 18]", "2:9: size is 0 pixels; 1 to 16384 are possible"},
+        Wrong{"SizeNegative", "[image]\nsize = [32, -18]", "2:13: size is -18 pixels; 1 to 16384 are possible"},
+        Wrong{"SizeAbsurd", "[image]\nsize = [32, 1000000000000]",
+              "2:13: size is 1000000000000 pixels; 1 to 16384 are possible"},
+        Wrong{"SizeJustTooLarge", "[image]\nsize = [16385, 1]", "2:9: size is 16385 pixels; 1 to 16384 are possible"},
+        Wrong{"SizeFraction", "[image]\nsize = [32.5, 18]", "2:9: size is a number; an integer is needed"},
+        Wrong{"LaterChannel", "[image]\nchannels = [\"RGBA\", \"N\"]",
+              "2:21: channel \"N\": not drawn by this version: RGBA and Z are"},
+        Wrong{"UnknownChannel", "[image]\nchannels = [\"RGB\"]",
+              "2:13: unknown channel \"RGB\"; did you mean \"RGBA\"?"},
+        Wrong{"ChannelTwice", "[image]\nchannels = [\"Z\", \"Z\"]", "2:18: channel \"Z\" is named twice"},
+        Wrong{"NoChannel", "[image]\nchannels = []", "2:12: channels is empty; name RGBA, Z or both"},
+        Wrong{"ChannelsText", "[image]\nchannels = \"RGBA\"", "2:12: channels is a string; an array is needed"},
+        Wrong{"LaterSamples", "[image]\nsamples = 4", "2:11: samples = 4: not drawn by this version: 1 is"},
+        Wrong{"WrongSamples", "[image]\nsamples = 3", "2:11: samples is 3; 1 is possible"},
+        Wrong{"UnknownCompression", "[image]\ncompression = \"zipp\"",
+              "2:15: unknown compression \"zipp\"; did you mean \"zips\"?"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Frames, WrongShot,
+    ::testing::Values(
+        Wrong{"Empty", "[frames]\nrange = \"\"",
+              "2:9: frame range \"\": a frame is missing; write for example 7, 1-10 or 1-10x2,20"},
+        Wrong{"Backwards", "[frames]\nrange = \"5-1\"", "2:9: frame range \"5-1\": 5-1 runs backwards; write 1-5"},
+        Wrong{"Colon", "[frames]\nrange = \"1:5\"",
+              "2:9: frame range \"1:5\": ':' is a step in some farms and an interleaved order in others; write the "
+              "step as "
+              "1-10x2"},
+        Wrong{"TooMany", "[frames]\nrange = \"0-1000000\"", "2:9: more than 1000000 frames are asked for"},
+        Wrong{"RangeIsANumber", "[frames]\nrange = 5", "2:9: range is an integer; a string is needed"},
+        Wrong{"FpsZero", "[frames]\nfps = 0", "2:7: fps holds 0; 1 to 1000000 is possible"},
+        Wrong{"FpsFraction", "[frames]\nfps = 23.976", "2:7: fps is a number; an integer is needed"},
+        Wrong{"FpsDenominatorZero", "[frames]\nfps = [24000, 0]", "2:15: fps holds 0; 1 to 1000000 is possible"},
+        Wrong{"FpsOfThree", "[frames]\nfps = [1, 2, 3]", "2:7: fps must be an integer or [numerator, denominator]"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Camera, WrongShot,
+    ::testing::Values(
+        Wrong{"NearBeyondFar", "[camera]\nnear = 10\nfar = 1.0",
+              "3:7: near is 10 and far is 1; far must be greater than near"},
+        Wrong{"NearBeyondTheStandardFar", "[camera]\nnear = 100.0",
+              "2:8: near is 100 and far is 100; far must be greater than near"},
+        Wrong{"NearZero", "[camera]\nnear = 0.0", "2:8: near is 0; a number above 0 is needed"},
+        Wrong{"FarNan", "[camera]\nfar = nan", "2:7: far is nan; a number is needed"},
+        Wrong{"FarMinusInfinity", "[camera]\nfar = -inf", "2:7: far is -inf; a number is needed"},
+        Wrong{"NearInfinite", "[camera]\nnear = inf", "2:8: near is inf; a finite number is needed"},
+        Wrong{"FovyZero", "[camera]\nfovy_degrees = 0",
+              "2:16: fovy_degrees is 0 degrees; more than 0 and less than 180 is needed"},
+        Wrong{"FovyStraight", "[camera]\nfovy_degrees = 180.0",
+              "2:16: fovy_degrees is 180 degrees; more than 0 and less than 180 is needed"},
+        Wrong{"FovyText", "[camera]\nfovy_degrees = \"wide\"", "2:16: fovy_degrees is a string; a number is needed"},
+        Wrong{"LaterProjection", "[camera]\nprojection = \"cavalier\"",
+              "2:14: projection \"cavalier\": not drawn by this version: perspective, frustum and orthographic are"},
+        Wrong{"UnknownProjection", "[camera]\nprojection = \"perspectiv\"",
+              "2:14: unknown projection \"perspectiv\"; did you mean \"perspective\"?"},
+        Wrong{"WindowOfAPerspective", "[camera]\nleft = -1", "2:8: the projection \"perspective\" has no left"},
+        Wrong{"FovyOfAFrustum", "[camera]\nprojection = \"frustum\"\nfovy_degrees = 45",
+              "3:16: the projection \"frustum\" has no fovy_degrees"},
+        Wrong{"EmptyWindow", "[camera]\nprojection = \"frustum\"\nleft = 2\nright = 2",
+              "4:9: left is 2 and right is 2; right must be greater"},
+        Wrong{"WindowUpsideDown", "[camera]\nprojection = \"orthographic\"\nbottom = 5",
+              "3:10: bottom is 5 and top is 1; top must be greater"},
+        Wrong{"OrthographicInfinite", "[camera]\nprojection = \"orthographic\"\nfar = inf",
+              "3:7: far is inf; a finite number is needed"},
+        Wrong{"EyeIsTarget", "[camera]\neye = [0, 0, 0]", "2:7: eye and target are the same point"},
+        Wrong{"EyeOfTwo", "[camera]\neye = [0, 0]", "2:7: eye must be three numbers: [x, y, z]"},
+        Wrong{"EyeNan", "[camera]\neye = [3.0, nan, 0]", "2:13: eye is nan; a number is needed"},
+        Wrong{"UpZero", "[camera]\nup = [0, 0, 0]", "2:6: up is [0, 0, 0]; it must have a direction"},
+        Wrong{"TrackOfNothing", "[camera]\n[[camera.track]]\ntarget = \"eyes\"\nkeys = [[0, 1]]",
+              "3:10: a camera has no value \"eyes\" to move; did you mean \"eye\"?"},
+        Wrong{"TrackTwice",
+              "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 1]]\n[[camera.track]]\ntarget = \"near\"\n"
+              "keys = [[0, 1]]",
+              "6:10: near is driven twice"},
+        Wrong{"TrackOfNearZero", "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 0]]",
+              "4:13: keys is 0; a number above 0 is needed"},
+        Wrong{"TrackOfFovyTooWide", "[camera]\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 200]]",
+              "4:13: keys is 200 degrees; more than 0 and less than 180 is needed"},
+        Wrong{"FovyTrackOfAFrustum",
+              "[camera]\nprojection = \"frustum\"\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 20]]",
+              "4:10: only a perspective projection has fovy_degrees"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Light, WrongShot,
+    ::testing::Values(
+        Wrong{"Neither", "[[light]]\ncolor = [1, 1, 1]", "1:1: a light needs either a direction or a position"},
+        Wrong{"Both", "[[light]]\ndirection = [0, 0, 1]\nposition = [0, 0, 1]",
+              "1:1: a light needs either a direction or a position"},
+        Wrong{"NoDirection", "[[light]]\ndirection = [0, 0, 0]",
+              "2:13: direction is [0, 0, 0]; it must point from the scene towards the light"},
+        Wrong{"NegativeColor", "[[light]]\ndirection = [0, 0, 1]\ncolor = [1, -0.5, 1]",
+              "3:13: color holds -0.5; 0 or more is needed"},
+        Wrong{"NegativeIntensity", "[[light]]\ndirection = [0, 0, 1]\nintensity = -1",
+              "3:13: intensity is -1; 0 or more is needed"},
+        Wrong{"FalloffOfADirection", "[[light]]\ndirection = [0, 0, 1]\nfalloff = true",
+              "3:11: only a light with a position falls off with distance"},
+        Wrong{"TrackOfTheOtherKind",
+              "[[light]]\ndirection = [0, 0, 1]\n[[light.track]]\ntarget = \"position\"\nkeys = [[0, [0, 0, 1]]]",
+              "4:10: a light has no value \"position\" to move; known: direction, color"},
+        Wrong{"AmbientOfTwo", "ambient = [0.1, 0.1]", "1:11: ambient must be three numbers: [red, green, blue]"}),
+    name_of);
+
+}  // namespace
+}  // namespace morphcl

@@ -1,0 +1,227 @@
+// Every way to write an object of a shot wrongly: kind, line and column, what is wrong and what would be right.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "host/scene/mesh_library.hpp"
+#include "host/scene/shot_value.hpp"
+#include "tests/scene/shot_folder.hpp"
+
+namespace morphcl {
+namespace {
+
+using test::ShotFolder;
+
+struct Wrong {
+  const char* name;
+  const char* object;    // the lines of [[object]] from line 2 on
+  const char* expected;  // after "shot.toml:"
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+
+class WrongObject : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongObject, IsRefusedWithItsPlace) {
+  const ShotFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(folder.refusal(std::string("[[object]]\n") + GetParam().object),
+            std::string("shot.toml:") + GetParam().expected);
+}
+
+std::string name_of(const ::testing::TestParamInfo<Wrong>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, WrongObject,
+    ::testing::Values(
+        Wrong{"NoMesh", "name = \"a\"", "1:1: object needs the key \"mesh\""},
+        Wrong{"UnknownKey", "mesh = \"cube\"\ncolour = [1, 1, 1]",
+              "3:1: unknown key \"colour\" in object; did you mean \"color\"?"},
+        Wrong{"NameTwice", "mesh = \"cube\"\nname = \"a\"\n[[object]]\nmesh = \"cube\"\nname = \"a\"",
+              "6:8: the name \"a\" is used twice"},
+        Wrong{"NameEmpty", "mesh = \"cube\"\nname = \"\"", "3:8: name is empty"},
+        Wrong{"MeshIsANumber", "mesh = 5", "2:8: mesh is an integer; a string is needed"},
+        Wrong{"UnknownMesh", "mesh = \"sphree\"",
+              "2:8: mesh \"sphree\" is neither a built-in solid nor a .gltf, .glb or .obj file; did you mean "
+              "\"sphere\"?"},
+        Wrong{"LaterShading", "mesh = \"cube\"\nshading = \"hidden_line\"",
+              "3:11: shading \"hidden_line\": not drawn by this version: flat, smooth, unlit and wireframe are"},
+        Wrong{"UnknownShading", "mesh = \"cube\"\nshading = \"flatt\"",
+              "3:11: unknown shading \"flatt\"; did you mean \"flat\"?"},
+        Wrong{"ColorOfTwo", "mesh = \"cube\"\ncolor = [1, 1]",
+              "3:9: color must be three or four numbers: [red, green, blue] or [red, green, blue, alpha]"},
+        Wrong{"ColorNegative", "mesh = \"cube\"\ncolor = [0, -1, 0]", "3:13: color holds -1; 0 or more is needed"},
+        Wrong{"AlphaAboveOne", "mesh = \"cube\"\ncolor = [0, 0, 0, 2]", "3:19: color holds 2; 0 to 1 is needed"},
+        Wrong{"DoubleSidedText", "mesh = \"cube\"\ndouble_sided = \"yes\"",
+              "3:16: double_sided is a string; true or false is needed"},
+        Wrong{"SegmentsOfASolidWithoutThem", "mesh = \"cube\"\nsegments = [3, 3]",
+              "3:12: the solid \"cube\" takes no segments"},
+        Wrong{"SegmentsTooFew", "mesh = \"sphere\"\nsegments = [2, 2]",
+              "3:12: segments [2, 2] are too few; \"sphere\" needs at least [3, 2]"},
+        Wrong{"SegmentsTooMany", "mesh = \"sphere\"\nsegments = [100000, 100000]",
+              "3:12: segments [100000, 100000] make more than the 134217728 vertices that are allowed"},
+        Wrong{"SegmentsHuge", "mesh = \"sphere\"\nsegments = [9000000000000000000, 3]",
+              "3:13: segments holds 9000000000000000000; 1 or more is needed"},
+        Wrong{"SegmentsOfOne", "mesh = \"sphere\"\nsegments = 5", "3:12: segments must be two integers: [u, v]"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(Files, WrongObject,
+                         ::testing::Values(Wrong{"Missing", "mesh = \"none.obj\"",
+                                                 "2:8: there is no file \"none.obj\""},
+                                           Wrong{"SegmentsOfAFile", "mesh = \"a.obj\"\nsegments = [3, 3]",
+                                                 "3:12: segments belong to a built-in solid, not to a file"},
+                                           Wrong{"TargetsOfASolid", "mesh = \"cube\"\ntargets = [\"a.obj\"]",
+                                                 "3:11: targets belong to an .obj file, not to a built-in solid"},
+                                           Wrong{"TargetMissing", "mesh = \"a.obj\"\ntargets = [\"none.obj\"]",
+                                                 "3:12: there is no file \"none.obj\""},
+                                           Wrong{"TargetNotObj", "mesh = \"a.obj\"\ntargets = [\"b.gltf\"]",
+                                                 "3:12: target \"b.gltf\" is not an .obj file"}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Transform, WrongObject,
+    ::testing::Values(
+        Wrong{"NoKey", "mesh = \"cube\"\n[[object.transform]]",
+              "3:1: a transform step has exactly one key; this one has 0"},
+        Wrong{"TwoKeys", "mesh = \"cube\"\n[[object.transform]]\nscale = [1, 1, 1]\ntranslate = [1, 1, 1]",
+              "3:1: a transform step has exactly one key; this one has 2"},
+        Wrong{"UnknownStep", "mesh = \"cube\"\n[[object.transform]]\nrotate_x = 5",
+              "4:1: unknown key \"rotate_x\" in transform; known: translate, scale, scale_about, rotate_x_degrees, "
+              "rotate_y_degrees, rotate_z_degrees, rotate_about_axis, shear, matrix"},
+        Wrong{"TranslateNumber", "mesh = \"cube\"\n[[object.transform]]\ntranslate = 5",
+              "4:13: translate must be three numbers: [x, y, z]"},
+        Wrong{"ScaleAboutWithoutPoint", "mesh = \"cube\"\n[[object.transform]]\nscale_about = { factor = [1, 1, 1] }",
+              "4:15: scale_about needs the key \"point\""},
+        Wrong{"MatrixOfThreeRows", "mesh = \"cube\"\n[[object.transform]]\nmatrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
+              "4:10: matrix must be four rows of four numbers; the last is [0, 0, 0, 1]"}),
+    name_of);
+
+#define TRACK "mesh = \"pyramid_to_cube\"\n[[object.track]]\n"
+INSTANTIATE_TEST_SUITE_P(
+    Track, WrongObject,
+    ::testing::Values(
+        Wrong{"NoTarget", TRACK "keys = [[0, 1]]", "3:1: track needs the key \"target\""},
+        Wrong{"UnknownTarget", TRACK "target = \"rotatoin\"\nkeys = [[0, 1]]",
+              "4:10: an object has no value \"rotatoin\" to move; did you mean \"rotation\"?"},
+        Wrong{"UnknownMorph", TRACK "target = \"morph.cuhe\"\nkeys = [[0, 1]]",
+              "4:10: the mesh has no morph target \"cuhe\"; did you mean \"cube\"?"},
+        Wrong{"MorphOfAMeshWithout", "mesh = \"cube\"\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
+              "4:10: morph.cube: the mesh has no morph targets"},
+        Wrong{"Twice",
+              TRACK "target = \"scale\"\nkeys = [[0, [1, 1, 1]]]\n[[object.track]]\ntarget = \"scale\"\nkeys = []",
+              "7:10: scale is driven twice"},
+        Wrong{"MorphTwice",
+              TRACK
+              "target = \"morph.cube\"\nkeys = [[0, 1]]\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
+              "7:10: morph.cube is driven twice"},
+        Wrong{"Spring", TRACK "target = \"morph.cube\"\ninterpolation = \"spring\"\nkeys = [[0, 1]]",
+              "5:17: interpolation \"spring\": not drawn by this version: step, linear and cubic are"},
+        Wrong{"UnknownInterpolation", TRACK "target = \"morph.cube\"\ninterpolation = \"linaer\"\nkeys = [[0, 1]]",
+              "5:17: unknown interpolation \"linaer\"; did you mean \"linear\"?"},
+        Wrong{"NoKeys", TRACK "target = \"morph.cube\"\nkeys = []",
+              "5:8: keys is empty; a track needs at least one key"},
+        Wrong{"KeyIsANumber", TRACK "target = \"morph.cube\"\nkeys = [0, 1]", "5:9: a key is [frame, value]"},
+        Wrong{"KeysNotInOrder", TRACK "target = \"morph.cube\"\nkeys = [[0, 0], [5, 1], [3, 0]]",
+              "5:25: frame 3 does not come after frame 5; keys must be in order, one a frame"},
+        Wrong{"KeysAtTheSameFrame", TRACK "target = \"morph.cube\"\nkeys = [[5, 0], [5.0, 1]]",
+              "5:17: frame 5 does not come after frame 5; keys must be in order, one a frame"},
+        Wrong{"FrameTooLate", TRACK "target = \"morph.cube\"\nkeys = [[1e9, 0]]",
+              "5:10: frame 1000000000; frames reach from -1000000 to 1000000"},
+        Wrong{"FrameNan", TRACK "target = \"morph.cube\"\nkeys = [[nan, 0]]", "5:10: keys is nan; a number is needed"},
+        Wrong{"ValueInfinite", TRACK "target = \"morph.cube\"\nkeys = [[0, inf]]",
+              "5:13: keys is inf; a finite number is needed"},
+        Wrong{"TangentsOfALinearKey", TRACK "target = \"morph.cube\"\nkeys = [[0, 1, 0, 0]]",
+              "5:9: a key is [frame, value]"},
+        Wrong{"CubicOfOneKey", TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1]]",
+              "6:8: a cubic track needs at least two keys"},
+        Wrong{"CubicWithThree",
+              TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0], [1, 1, 0]]",
+              "6:9: a cubic key is [frame, value] or [frame, value, in_tangent, out_tangent]"},
+        Wrong{"TangentsOfSomeKeys",
+              TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0, 0], [1, 1]]",
+              "6:23: either all keys of a track have tangents or none has"},
+        Wrong{"RotationOfThree", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 1]]]",
+              "5:13: a rotation is a quaternion [x, y, z, w] or { axis = [x, y, z], degrees = d }"},
+        Wrong{"RotationZero", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 0, 0]]]",
+              "5:13: the quaternion is [0, 0, 0, 0]; no rotation is written [0, 0, 0, 1]"},
+        Wrong{"RotationWithoutAxis", TRACK "target = \"rotation\"\nkeys = [[0, { axis = [0, 0, 0], degrees = 1 }]]",
+              "5:22: the axis is [0, 0, 0]; it must have a direction"},
+        Wrong{"RotationOfTooManyTurns",
+              TRACK "target = \"rotation\"\nkeys = [[0, {axis=[1,0,0],degrees=0}],[1,{axis=[1,0,0],degrees=1e9}]]",
+              "5:39: too many turns since the key before"},
+        Wrong{
+            "CubicRotationBeyondHalfATurn",
+            TRACK "target = \"rotation\"\ninterpolation = \"cubic\"\n"
+                  "keys = [[0, {axis=[1,0,0],degrees=0}],[1,{axis=[1,0,0],degrees=181}]]",
+            "6:39: cubic rotation keys about one axis lie at most 180 degrees apart; add keys between, or use linear"},
+        Wrong{"VisibleLinear", TRACK "target = \"visible\"\ninterpolation = \"linear\"\nkeys = [[0, true]]",
+              "5:17: true and false have nothing between them; use \"step\""}),
+    name_of);
+#undef TRACK
+
+TEST(WrongShotFile, MissingIsAnInputThatCannotBeRead) {
+  const ShotFolder folder;
+  try {
+    load_scene(folder.path("none.toml"));
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cannot_read);
+    EXPECT_EQ(error.place(), folder.path("none.toml"));
+  }
+}
+
+TEST(WrongShotFile, OfAnotherKindIsAUsageError) {
+  const ShotFolder folder;
+  folder.write("picture.png", "");
+  try {
+    load_scene(folder.path("picture.png"));
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_EQ(error.message(), "not a scene; a .toml shot or a .gltf, .glb or .obj model is needed");
+  }
+}
+
+TEST(WrongShotFile, WithNothingToDraw) {
+  const ShotFolder folder;
+  const std::string expected = "shot.toml:1:1: nothing to draw; a shot needs at least one [[object]] with a mesh";
+  EXPECT_EQ(folder.refusal(""), expected);
+  EXPECT_EQ(folder.refusal("object = []"), expected);
+}
+
+TEST(WrongShotFile, MayNotNameFilesOutsideItsFolder) {
+  const ShotFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("deep/shot.toml", "[[object]]\nmesh = \"../a.obj\"\n");
+  try {
+    load_scene(folder.path("deep/shot.toml"));
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_EQ(error.place(), folder.path("deep/shot.toml") + ":2:8");
+  }
+  EXPECT_EQ(load_scene(folder.path("deep/shot.toml"), {.allow_outside = true, .fps = {}, .width = {}, .height = {}})
+                .objects.size(),
+            1u);
+}
+
+TEST(WrongShotFile, BuiltInSolidsHaveALimitTogether) {
+  const std::string file = "shot.toml";
+  const TomlValue document = parse_toml(
+      "a = { mesh = \"cube\" }\nb = { mesh = \"grid\", segments = [3, 3] }\nc = { mesh = \"teapot\" }\n", file);
+  const ShotTable shot = ShotValue(file, document, "a shot").table({"a", "b", "c"});
+  const auto object = [&](const char* key) { return shot.need(key).table({"mesh", "segments"}); };
+  MeshLibrary library(file, {}, false, 24 + 16);
+  library.model(object("a"));
+  library.model(object("b"));
+  library.model(object("a"));  // known already: not counted again
+  try {
+    library.model(object("c"));
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "shot.toml:3:14: the built-in solids have more than 40 vertices together");
+  }
+}
+
+}  // namespace
+}  // namespace morphcl
