@@ -1,0 +1,200 @@
+// Files that are cut, changed or hostile: found, refused in one line, without taking memory for what is not there.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "host/error.hpp"
+#include "host/image/exr_encode.hpp"
+#include "host/image/exr_file.hpp"
+#include "tests/image/temporary_folder.hpp"
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl {
+namespace {
+
+using namespace image_test;
+
+const std::string fingerprint = "0123456789abcdef0123456789abcdef";
+
+FrameAttributes job_attributes() {
+  FrameAttributes attributes;
+  attributes.fingerprint = fingerprint;
+  return attributes;
+}
+
+std::vector<char> encoded(const FrameBuffer& frame, const std::string& compression) {
+  std::vector<char> bytes;
+  encode_exr(bytes, frame, job_attributes(), compression, 1);
+  return bytes;
+}
+
+// The kind of the error that reading gives; reading has to fail, with the path and on one line.
+ErrorKind kind_of_failure(const std::string& path) {
+  EXPECT_FALSE(is_finished_frame(path, fingerprint));
+  try {
+    read_exr(path);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place(), path);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    EXPECT_FALSE(error.message().empty());
+    return error.kind();
+  }
+  ADD_FAILURE() << path << " was read";
+  return ErrorKind::internal;
+}
+
+ErrorKind kind_of_failure(const std::vector<char>& bytes) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "a.exr", bytes);
+  return kind_of_failure(folder / "a.exr");
+}
+
+// Replaces the 32-bit number `offset` bytes into the value of the attribute.
+std::vector<char> with_number(std::vector<char> bytes, const std::string& name, std::size_t offset,
+                              std::int32_t value) {
+  const std::string key = name + '\0';
+  const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+  if (at == bytes.end()) throw std::logic_error("no attribute " + name);
+  const auto type_end = std::find(at + static_cast<std::ptrdiff_t>(key.size()), bytes.end(), '\0');
+  std::memcpy(&*type_end + 1 + 4 + offset, &value, sizeof value);
+  return bytes;
+}
+
+TEST(DamagedExr, EveryTruncationIsFound) {
+  const TemporaryFolder folder;
+  for (const std::string& compression : compression_names()) {
+    const std::vector<char> whole = encoded(disc_frame(70, 90), compression);
+    for (std::size_t tenth = 0; tenth < 10; ++tenth) {
+      SCOPED_TRACE(testing::Message() << compression << " cut at " << tenth << "/10");
+      write_bytes(folder / "a.exr",
+                  {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * tenth / 10)});
+      EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+    }
+    write_bytes(folder / "a.exr", {whole.begin(), whole.end() - 1});
+    EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input) << compression << " without its last byte";
+  }
+}
+
+TEST(DamagedExr, EveryTruncationOfTheHeaderIsFound) {
+  const std::vector<char> whole = encoded(disc_frame(5, 4), "zip");
+  const TemporaryFolder folder;
+  for (std::size_t size = 0; size < whole.size(); size += 3) {
+    write_bytes(folder / "a.exr", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+    EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input) << "cut after " << size << " bytes";
+  }
+}
+
+// A file of its job with any bit changed is either found or still holds the frame's pixels (the bit was one of an
+// attribute, or the table had a spare).
+TEST(DamagedExr, NoFlippedBitChangesPixelsUnseen) {
+  const FrameBuffer frame = disc_frame(9, 20);
+  const TemporaryFolder folder;
+  for (const char* compression : {"none", "rle", "zip", "piz"}) {
+    std::vector<char> bytes = encoded(frame, compression);
+    int found = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const int bit = static_cast<int>(i * 5 % 8);
+      bytes[i] = static_cast<char>(bytes[i] ^ (1 << bit));
+      write_bytes(folder / "a.exr", bytes);
+      bytes[i] = static_cast<char>(bytes[i] ^ (1 << bit));
+      const auto finished = read_finished_frame(folder / "a.exr", fingerprint);
+      if (!finished)
+        ++found;
+      else
+        EXPECT_EQ(difference(frame, finished->frame), "") << compression << ": bit " << bit << " of byte " << i;
+    }
+    EXPECT_GT(found, static_cast<int>(bytes.size()) / 2) << compression;
+  }
+}
+
+TEST(DamagedExr, FlippedPixelOfAnUncompressedFileIsFound) {
+  std::vector<char> bytes = encoded(disc_frame(64, 64), "none");
+  bytes[bytes.size() - 1000] = static_cast<char>(bytes[bytes.size() - 1000] ^ 1);
+  const TemporaryFolder folder;
+  write_bytes(folder / "a.exr", bytes);
+  const ExrFrame read = read_exr(folder / "a.exr");  // it decodes; only the hash can tell
+  EXPECT_NE(read.hash, read.stored_hash);
+  EXPECT_FALSE(is_finished_frame(folder / "a.exr", fingerprint));
+}
+
+TEST(DamagedExr, FrameOfAnotherJobIsNotFinished) {
+  const TemporaryFolder folder;
+  write_exr(folder / "a.exr", disc_frame(8, 8), job_attributes(), "zip");
+  EXPECT_TRUE(is_finished_frame(folder / "a.exr", fingerprint));
+  EXPECT_FALSE(is_finished_frame(folder / "a.exr", "another"));
+  EXPECT_FALSE(is_finished_frame(folder / "a.exr", ""));
+}
+
+TEST(DamagedExr, MissingFilesFoldersAndPipesCannotBeRead) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(kind_of_failure(folder / "missing.exr"), ErrorKind::cannot_read);
+  EXPECT_EQ(kind_of_failure(folder.path().string()), ErrorKind::cannot_read);
+  ASSERT_EQ(mkfifo((folder / "pipe.exr").c_str(), 0600), 0);
+  EXPECT_EQ(kind_of_failure(folder / "pipe.exr"), ErrorKind::cannot_read);  // and does not wait for a writer
+}
+
+TEST(DamagedExr, OtherFilesAreNoExr) {
+  EXPECT_EQ(kind_of_failure(std::vector<char>{}), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_failure(std::vector<char>(100, 'x')), ErrorKind::bad_input);
+  const std::vector<char> magic_only{0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0};
+  EXPECT_EQ(kind_of_failure(magic_only), ErrorKind::bad_input);
+  const std::vector<char> empty_header{0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0, 0};
+  EXPECT_EQ(kind_of_failure(empty_header), ErrorKind::bad_input);
+  std::vector<char> endless_name(5000, 'n');
+  std::copy(magic_only.begin(), magic_only.end(), endless_name.begin());
+  EXPECT_EQ(kind_of_failure(endless_name), ErrorKind::bad_input);
+}
+
+TEST(DamagedExr, HugeAndUpsideDownWindowsAreRefused) {
+  const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
+  constexpr std::int32_t most = 2147483647, least = -2147483647 - 1;
+  const struct {
+    std::size_t side;  // offset of first x, first y, last x, last y
+    std::int32_t value;
+  } cases[] = {{8, most}, {12, most}, {8, 100000}, {12, 100000}, {0, 40}, {4, 30}, {0, most}, {8, -1}, {12, least}};
+  for (const auto& [side, value] : cases)
+    EXPECT_EQ(kind_of_failure(with_number(whole, "dataWindow", side, value)), ErrorKind::bad_input)
+        << "offset " << side << " value " << value;
+  EXPECT_EQ(kind_of_failure(with_number(with_number(whole, "dataWindow", 0, least), "dataWindow", 8, most)),
+            ErrorKind::bad_input);
+}
+
+// The largest window that is accepted, in a file of 30 lines: refused before its planes take memory.
+TEST(DamagedExr, WindowLargerThanTheFileTakesNoMemory) {
+  const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
+  const auto largest = [&](std::int32_t last_x, std::int32_t last_y) {
+    return with_number(with_number(whole, "dataWindow", 8, last_x), "dataWindow", 12, last_y);
+  };
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  EXPECT_EQ(kind_of_failure(largest(FrameBuffer::max_side - 1, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_failure(largest(FrameBuffer::max_side - 1, 29)), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_failure(largest(39, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB more than before";
+}
+
+TEST(DamagedExr, AttributeLongerThanTheFileTakesNoMemory) {
+  const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
+  for (const char* name : {"morphclFingerprint", "channels", "worldToNDC", "pixelHash"})
+    for (const std::int32_t size : {2147483647, -1, -2147483647 - 1, 100'000'000})
+      EXPECT_EQ(kind_of_failure(with_number(whole, name, static_cast<std::size_t>(-4), size)), ErrorKind::bad_input)
+          << name << " of " << size << " bytes";
+}
+
+TEST(DamagedExr, UnknownCompressionIsRefused) {
+  std::vector<char> bytes = encoded(disc_frame(40, 30), "zip");
+  bytes = with_number(bytes, "lineOrder", 0, 0x01010101);
+  EXPECT_EQ(kind_of_failure(bytes), ErrorKind::bad_input);
+  const std::string key = std::string("compression\0compression\0\1\0\0\0", 28);
+  const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+  ASSERT_NE(at, bytes.end());
+  at[static_cast<std::ptrdiff_t>(key.size())] = 77;
+  EXPECT_EQ(kind_of_failure(bytes), ErrorKind::bad_input);
+}
+
+}  // namespace
+}  // namespace morphcl

@@ -1,0 +1,182 @@
+// Files of other programs: tiles, offset windows, other pixel types, several parts, deep pixels, luminance only.
+#include <ImfArray.h>
+#include <ImfChannelList.h>
+#include <ImfDeepFrameBuffer.h>
+#include <ImfDeepScanLineOutputFile.h>
+#include <ImfFrameBuffer.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfTiledOutputFile.h>
+#include <gtest/gtest.h>
+#include <half.h>
+
+#include "host/error.hpp"
+#include "host/image/exr_description.hpp"
+#include "host/image/exr_file.hpp"
+#include "tests/image/temporary_folder.hpp"
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl {
+namespace {
+
+using namespace image_test;
+
+// A window with a negative origin, 20 x 10 pixels; value(x, y) differs from pixel to pixel and is exact in half.
+const Imath::Box2i window({-7, -3}, {12, 6});
+constexpr int width = 20, height = 10;
+float value(int x, int y) { return static_cast<float>(x + 32 * y); }
+
+std::vector<float> float_values() {
+  std::vector<float> values;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) values.push_back(value(x, y));
+  return values;
+}
+
+Imf::Header header_with(const std::vector<const char*>& channels, Imf::PixelType type) {
+  Imf::Header header(Imath::Box2i({0, 0}, {99, 99}), window);
+  for (const char* name : channels) header.channels().insert(name, Imf::Channel(type));
+  return header;
+}
+
+Imf::FrameBuffer slices(const std::vector<const char*>& channels, std::vector<float>& values) {
+  Imf::FrameBuffer buffer;
+  for (const char* name : channels)
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float), width * sizeof(float)));
+  return buffer;
+}
+
+void expect_values(const std::uint16_t* plane, const FrameBuffer& frame) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      ASSERT_EQ(plane[static_cast<std::size_t>(y) * frame.row_pitch() + static_cast<std::size_t>(x)],
+                half(value(x, y)).bits())
+          << "at (" << x << ", " << y << ")";
+}
+
+ErrorKind kind_of_failure(const std::string& path) {
+  try {
+    read_exr(path);
+  } catch (const Error& error) {
+    return error.kind();
+  }
+  ADD_FAILURE() << "was read";
+  return ErrorKind::internal;
+}
+
+TEST(ForeignExr, FloatColourAtAnOffsetIsReadAsHalf) {
+  const TemporaryFolder folder;
+  std::vector<float> values = float_values();
+  {
+    Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"R", "G"}, Imf::FLOAT));
+    file.setFrameBuffer(slices({"R", "G"}, values));
+    file.writePixels(height);
+  }
+  const ExrFrame read = read_exr(folder / "a.exr");
+  ASSERT_EQ(read.frame.width(), width);
+  ASSERT_EQ(read.frame.height(), height);
+  EXPECT_FALSE(read.frame.has_depth());
+  expect_values(read.frame.color(0), read.frame);
+  expect_values(read.frame.color(1), read.frame);
+  EXPECT_EQ(read.frame.color(2)[25], half(0.0f).bits());  // no B: 0
+  EXPECT_EQ(read.frame.color(3)[25], half(1.0f).bits());  // no A: opaque
+  EXPECT_EQ(read.stored_hash, "");
+  EXPECT_FALSE(is_finished_frame(folder / "a.exr", ""));  // of no job, not even of one without a fingerprint
+}
+
+TEST(ForeignExr, TilesAreRead) {
+  const TemporaryFolder folder;
+  std::vector<float> values = float_values();
+  {
+    Imf::Header header = header_with({"R", "Z"}, Imf::FLOAT);
+    header.setTileDescription(Imf::TileDescription(8, 4, Imf::ONE_LEVEL));
+    Imf::TiledOutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(slices({"R", "Z"}, values));
+    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+  }
+  const ExrFrame read = read_exr(folder / "a.exr");
+  ASSERT_TRUE(read.frame.has_color() && read.frame.has_depth());
+  expect_values(read.frame.color(0), read.frame);
+  EXPECT_EQ(read.frame.depth()[2 * read.frame.row_pitch() + 3], value(3, 2));
+}
+
+TEST(ForeignExr, FirstOfSeveralPartsIsRead) {
+  const TemporaryFolder folder;
+  std::vector<float> values = float_values();
+  {
+    std::vector<Imf::Header> headers{header_with({"R"}, Imf::FLOAT), header_with({"Z"}, Imf::FLOAT)};
+    headers[0].setName("first");
+    headers[1].setName("second");
+    for (Imf::Header& header : headers) header.setType(Imf::SCANLINEIMAGE);
+    Imf::MultiPartOutputFile file((folder / "a.exr").c_str(), headers.data(), 2);
+    for (int part = 0; part < 2; ++part) {
+      Imf::OutputPart output(file, part);
+      output.setFrameBuffer(slices({part == 0 ? "R" : "Z"}, values));
+      output.writePixels(height);
+    }
+  }
+  const ExrFrame read = read_exr(folder / "a.exr");
+  expect_values(read.frame.color(0), read.frame);
+  EXPECT_FALSE(read.frame.has_depth());
+  EXPECT_EQ(describe_exr(folder / "a.exr").parts, 2);
+}
+
+TEST(ForeignExr, ImageWithoutOurChannelsIsRefusedAndDescribed) {
+  const TemporaryFolder folder;
+  std::vector<float> values = float_values();
+  {
+    Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"Y", "N.X"}, Imf::FLOAT));
+    file.setFrameBuffer(slices({"Y", "N.X"}, values));
+    file.writePixels(height);
+  }
+  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+  const ExrDescription description = describe_exr(folder / "a.exr");
+  ASSERT_EQ(description.channels.size(), 2u);
+  EXPECT_EQ(description.channels[0].name, "N.X");
+  EXPECT_EQ(description.channels[0].type, "float");
+  EXPECT_EQ(description.data_window.least, glm::ivec2(-7, -3));
+}
+
+TEST(ForeignExr, SubsampledColourIsRefused) {
+  const TemporaryFolder folder;
+  std::vector<float> values = float_values();
+  {
+    Imf::Header header(Imath::Box2i({0, 0}, {19, 9}), Imath::Box2i({0, 0}, {19, 9}));
+    header.channels().insert("R", Imf::Channel(Imf::FLOAT, 2, 2));
+    Imf::OutputFile file((folder / "a.exr").c_str(), header);
+    Imf::FrameBuffer buffer;
+    buffer.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
+                                  width / 2 * sizeof(float), 2, 2));
+    file.setFrameBuffer(buffer);
+    file.writePixels(height);
+  }
+  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+}
+
+TEST(ForeignExr, DeepPixelsAreRefused) {
+  const TemporaryFolder folder;
+  {
+    Imf::Header header = header_with({"Z"}, Imf::FLOAT);
+    header.setType(Imf::DEEPSCANLINE);
+    header.compression() = Imf::ZIPS_COMPRESSION;
+    Imf::DeepScanLineOutputFile file((folder / "a.exr").c_str(), header);
+    std::vector<unsigned> counts(width * height, 1);
+    std::vector<float> values = float_values();
+    std::vector<float*> samples;
+    for (float& v : values) samples.push_back(&v);
+    Imf::DeepFrameBuffer buffer;
+    const std::ptrdiff_t first = window.min.x + window.min.y * width;
+    buffer.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data() - first),
+                                             sizeof(unsigned), width * sizeof(unsigned)));
+    buffer.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(samples.data() - first), sizeof(float*),
+                                      width * sizeof(float*), sizeof(float)));
+    file.setFrameBuffer(buffer);
+    file.writePixels(height);
+  }
+  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+}
+
+}  // namespace
+}  // namespace morphcl

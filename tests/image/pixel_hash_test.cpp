@@ -1,0 +1,110 @@
+#include "host/image/pixel_hash.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <bit>
+#include <set>
+#include <vector>
+
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl {
+namespace {
+
+using image_test::arbitrary_frame;
+using image_test::disc_frame;
+
+// The definition in the header, written out as one block of bytes.
+class HashedBytes {
+ public:
+  void text(const char* name) { add(name, std::char_traits<char>::length(name) + 1); }
+  void integers(std::initializer_list<std::int32_t> list) {
+    for (const std::int32_t value : list) add(&value, sizeof value);
+  }
+  void add(const void* values, std::size_t count) {
+    const char* first = static_cast<const char*>(values);
+    bytes_.insert(bytes_.end(), first, first + count);
+  }
+  std::string hash() const {
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes_.data(), bytes_.size()));
+    std::string hex;
+    for (const unsigned char digit : canonical.digest) hex += fmt::format("{:02x}", digit);
+    return hex;
+  }
+
+ private:
+  std::vector<char> bytes_;
+};
+
+TEST(PixelHash, IsTheDocumentedFunction) {
+  const FrameBuffer frame = arbitrary_frame(67, 5, true, true);
+  HashedBytes bytes;
+  const std::pair<const char*, int> channels[] = {{"A", 3}, {"B", 2}, {"G", 1}, {"R", 0}};
+  for (const auto& [name, channel] : channels) {
+    bytes.text(name);
+    bytes.integers({1, 0, 0, 66, 4});
+    for (std::size_t y = 0; y < 5; ++y) bytes.add(frame.color(channel) + y * frame.row_pitch(), 67 * 2);
+  }
+  bytes.text("Z");
+  bytes.integers({2, 0, 0, 66, 4});
+  for (std::size_t y = 0; y < 5; ++y) bytes.add(frame.depth() + y * frame.row_pitch(), 67 * 4);
+  EXPECT_EQ(pixel_hash(frame), bytes.hash());
+  EXPECT_EQ(pixel_hash(frame).size(), 32u);
+}
+
+TEST(PixelHash, EveryFlippedBitOfEveryChannelChangesIt) {
+  FrameBuffer frame = disc_frame(9, 7);
+  std::set<std::string> hashes{pixel_hash(frame)};
+  for (int bit = 0; bit < 16; ++bit)
+    for (int channel = 0; channel < 4; ++channel) {
+      std::uint16_t& value = frame.color(channel)[3 * frame.row_pitch() + 4];
+      value = static_cast<std::uint16_t>(value ^ (1u << bit));
+      EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << "bit " << bit << " of channel " << channel;
+      value = static_cast<std::uint16_t>(value ^ (1u << bit));
+    }
+  for (int bit = 0; bit < 32; ++bit) {
+    float& value = frame.depth()[6 * frame.row_pitch() + 8];
+    const float before = value;
+    value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ (1u << bit));
+    EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << "bit " << bit << " of Z";
+    value = before;
+  }
+}
+
+TEST(PixelHash, TellsNansByTheirPayloadAndZerosByTheirSign) {
+  FrameBuffer frame = disc_frame(4, 4);
+  std::set<std::string> hashes;
+  for (const std::uint32_t bits : {0x7fc00000u, 0x7fc00001u, 0xffc00000u, 0x00000000u, 0x80000000u}) {
+    frame.depth()[0] = std::bit_cast<float>(bits);
+    EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << std::hex << bits;
+  }
+}
+
+TEST(PixelHash, LeavesThePaddingOut) {
+  FrameBuffer frame = disc_frame(9, 7);
+  const std::string before = pixel_hash(frame);
+  for (int channel = 0; channel < 4; ++channel) {
+    frame.color(channel)[9] = 77;
+    frame.color(channel)[7 * frame.row_pitch()] = 77;
+  }
+  frame.depth()[frame.plane_elements() - 1] = 77;
+  EXPECT_EQ(pixel_hash(frame), before);
+}
+
+TEST(PixelHash, TellsChannelsAndWindowsOfTheSameValues) {
+  std::set<std::string> hashes;
+  for (const auto& [width, height] : {std::pair{4, 6}, {6, 4}, {24, 1}, {1, 24}, {12, 2}})
+    for (const auto& [color, depth] : {std::pair{true, false}, {false, true}, {true, true}})
+      EXPECT_TRUE(hashes.insert(pixel_hash(FrameBuffer(width, height, color, depth))).second);
+}
+
+TEST(TextHash, IsTheFunctionOfItsBytes) {
+  EXPECT_EQ(text_hash(""), "99aa06d3014798d86001c324468d497f");  // published for the empty input
+  EXPECT_NE(text_hash("a"), text_hash("b"));
+}
+
+}  // namespace
+}  // namespace morphcl

@@ -1,0 +1,22 @@
+// Frames for tests, and their comparison bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host/image/frame_buffer.hpp"
+
+namespace morphcl::image_test {
+
+// Every bit pattern may occur: NaN with payloads, infinities, denormals, -0. The padding is filled as well.
+FrameBuffer arbitrary_frame(int width, int height, bool color, bool depth, std::uint64_t seed = 1);
+
+// A smooth opaque disc over a transparent background, with its depth: what renderers make.
+FrameBuffer disc_frame(int width, int height, bool color = true, bool depth = true);
+
+FrameBuffer uniform_frame(int width, int height, float red, float green, float blue, float alpha);
+
+// "" when size, channels and all bits within the image are the same, else the first difference.
+std::string difference(const FrameBuffer& expected, const FrameBuffer& actual);
+
+}  // namespace morphcl::image_test
