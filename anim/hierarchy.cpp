@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "anim/timeline.hpp"
 #include "host/error.hpp"
 
 namespace morphcl {
@@ -49,6 +50,13 @@ std::vector<int> parents_first(const std::vector<int>& parents) {
     }
   }
   return order;
+}
+
+std::vector<int> parents_first(const std::vector<Node>& nodes) {
+  std::vector<int> parents;
+  parents.reserve(nodes.size());
+  for (const Node& node : nodes) parents.push_back(node.parent);
+  return parents_first(parents);
 }
 
 }  // namespace morphcl

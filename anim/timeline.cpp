@@ -47,12 +47,9 @@ glm::dmat4 local_matrix(const Node& node, std::int64_t tick) {
 }
 
 void evaluate_nodes(const std::vector<Node>& nodes, std::int64_t tick, FrameState& state) {
-  std::vector<int> parents;
-  parents.reserve(nodes.size());
-  for (const Node& node : nodes) parents.push_back(node.parent);
   state.node_to_world.resize(nodes.size());
   state.node_visible.resize(nodes.size());
-  for (const int index : parents_first(parents)) {
+  for (const int index : parents_first(nodes)) {
     const Node& node = nodes[index];
     const glm::dmat4 local = local_matrix(node, tick);
     const bool visible = sample(node.visible_track, 1.0, tick) >= 0.5;

@@ -98,19 +98,12 @@ void check_light(const Light& light, std::size_t index) {
   check_track(light.color_track, 3, false, place, "color");
 }
 
-void check_hierarchy(const std::vector<Node>& nodes) {
-  std::vector<int> parents;
-  parents.reserve(nodes.size());
-  for (const Node& node : nodes) parents.push_back(node.parent);
-  parents_first(parents);
-}
-
 }  // namespace
 
 void Timeline::validate() const {
   check_time(time);
   for (std::size_t i = 0; i < nodes.size(); ++i) check_node(nodes[i], i);
-  check_hierarchy(nodes);
+  parents_first(nodes);
   for (std::size_t i = 0; i < weights.size(); ++i) check_weights(weights[i], i);
   check_camera(camera, nodes.size());
   for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], i);

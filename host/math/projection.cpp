@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 
 #include "host/error.hpp"
 #include "host/math/angle.hpp"
