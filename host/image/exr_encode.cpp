@@ -35,7 +35,7 @@ Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attribu
 }
 
 void encode(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header, int threads) {
-  if (threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, threads > 1 ? threads : 0);
   file.setFrameBuffer(planes_of(const_cast<FrameBuffer&>(frame), 0, 0));  // OpenEXR's slices know no const

@@ -100,44 +100,41 @@ TEST(AtomicFile, CheckLeavesOnlyTheFolder) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "x"));
 }
 
-// Runs `child` in a process of its own; 0 means that all went as expected.
-int status_of(const std::function<int()>& child) {
-  const pid_t pid = fork();
-  if (pid == 0) _exit(child());
-  int status = -1;
-  waitpid(pid, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+// What a full disk has to leave behind: an older file as it was, and nothing else.
+void expect_write_without_room_to_fail(const TemporaryFolder& folder) {
+  const std::string old_file = folder / "old", frame = folder / "new.exr";
+  EXPECT_EQ(kind_of_failure([&] { write_file_atomically(old_file, megabyte); }, old_file), ErrorKind::write_failed);
+  const FrameBuffer pixels = arbitrary_frame(600, 400, true, true);
+  EXPECT_EQ(kind_of_failure([&] { write_exr(frame, pixels, {}, "none"); }, frame), ErrorKind::write_failed);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"old"});
+  EXPECT_EQ(bytes_of(old_file), some_bytes);
 }
 
-// What a full disk has to leave behind: an older file as it was, and nothing else.
-int write_without_room(const TemporaryFolder& folder) {
-  try {
-    write_file_atomically(folder / "old", megabyte);
-    return 1;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::write_failed) return 2;
-    if (error.place() != folder / "old") return 3;
+// No file of this process may grow beyond 100 kB while this lives.
+class FileSizeLimit {
+ public:
+  FileSizeLimit() {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = 100'000;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = signal(SIGXFSZ, SIG_IGN);
   }
-  try {
-    write_exr(folder / "new.exr", arbitrary_frame(600, 400, true, true), {}, "none");
-    return 4;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::write_failed) return 5;
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    signal(SIGXFSZ, handler_);
   }
-  if (folder.names() != std::set<std::string>{"old"}) return 6;
-  return bytes_of(folder / "old") == some_bytes ? 0 : 7;
-}
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
 
 TEST(AtomicFile, FileSizeLimitFailsTheWriteAndLeavesNothing) {
   const TemporaryFolder folder;
   write_file_atomically(folder / "old", some_bytes);
-  EXPECT_EQ(status_of([&] {
-              signal(SIGXFSZ, SIG_IGN);
-              const rlimit limit{100'000, 100'000};
-              if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return 100;
-              return write_without_room(folder);
-            }),
-            0);
+  const FileSizeLimit limit;
+  expect_write_without_room_to_fail(folder);
 }
 
 // A disk of 256 KiB: only root may mount one; the size limit above stands for it elsewhere.
@@ -154,7 +151,7 @@ class FullDisk : public testing::Test {
 TEST_F(FullDisk, FailsTheWriteAndLeavesNothing) {
   if (!mounted_) return;
   write_file_atomically(folder_ / "old", some_bytes);
-  EXPECT_EQ(write_without_room(folder_), 0);
+  expect_write_without_room_to_fail(folder_);
   try {
     write_file_atomically(folder_ / "new", megabyte);
     FAIL();

@@ -171,7 +171,6 @@ TEST(DamagedExr, WindowLargerThanTheFileTakesNoMemory) {
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   EXPECT_EQ(kind_of_failure(largest(FrameBuffer::max_side - 1, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
-  EXPECT_EQ(kind_of_failure(largest(FrameBuffer::max_side - 1, 29)), ErrorKind::bad_input);
   EXPECT_EQ(kind_of_failure(largest(39, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
   getrusage(RUSAGE_SELF, &after);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB more than before";

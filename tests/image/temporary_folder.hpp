@@ -47,6 +47,7 @@ inline std::vector<char> bytes_of(const std::string& path) {
 }
 
 inline void write_bytes(const std::string& path, const std::vector<char>& bytes) {
+  std::filesystem::remove(path);  // some file systems flush a file that is cut and written again
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
