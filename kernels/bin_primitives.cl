@@ -149,8 +149,8 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
 
   const int16 columns = last_x - first_x, rows = last_y - first_y;
   for (int j = 0; j < SMALL_PIXELS; j++) {
-    const int16 row_active = active & (rows >= j) & (first_y >= -j);
-    if (!any_lane(row_active)) break;
+    if (!any_lane(active & (rows >= j))) break;
+    const int16 row_active = active & (rows >= j) & (first_y >= -j);  // rows above the image come first and draw nothing
     const float16 row_depth = fma(depth_dy, (float16)((float)j), origin_depth);
     int16 value0 = row0, value1 = row1, value2 = row2;
     for (int i = 0; i < SMALL_PIXELS; i++) {
@@ -182,14 +182,14 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
   }
 }
 
-static inline void bin_triangle_block(Bins* bins, global const DrawConstants* draw, global const uint* restrict indices,
-                                      global const int4* restrict vertices, uint first, uint first_id) {
+static inline void bin_triangle_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
+                                      global const int4* vertices, uint first, uint first_id) {
   // Front faces get a positive area: on the screen y points down, so the second and third corner change places.
   const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0;
-  global const uint* restrict corner_a = indices + draw->indices + first;
-  global const uint* restrict corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
-  global const uint* restrict corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
-  global const int4* restrict records = vertices + (size_t)draw->first_group * LANES;
+  global const uint* corner_a = indices + draw->indices + first;
+  global const uint* corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
+  global const uint* corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
+  global const int4* records = vertices + (size_t)draw->first_group * LANES;
   Triangles t;
   int16 unused;
   GATHER_RECORDS(records, corner_a, t.x[0], t.y[0], t.depth[0], unused)
@@ -230,10 +230,10 @@ static inline void bin_triangle_block(Bins* bins, global const DrawConstants* dr
     }
 }
 
-static inline void bin_line_block(Bins* bins, global const DrawConstants* draw, global const uint* restrict indices,
-                                  global const int4* restrict vertices, uint first, uint first_id) {
-  global const uint* restrict start = indices + draw->indices + first;
-  global const int4* restrict records = vertices + (size_t)draw->first_group * LANES;
+static inline void bin_line_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
+                                  global const int4* vertices, uint first, uint first_id) {
+  global const uint* start = indices + draw->indices + first;
+  global const int4* records = vertices + (size_t)draw->first_group * LANES;
   for (uint lane = 0; lane < LANES; lane++) {
     const int4 a = records[start[lane]], b = records[start[lane + draw->index_pitch]];
     if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * 8);

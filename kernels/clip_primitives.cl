@@ -79,16 +79,18 @@ static inline float plane_distance(const Corner* c, int plane, constant const Fr
   return fma(frame->guard_y, c->w, -c->y);
 }
 
+// (1 - t) a + t b, exact for t = 0, t = 1 and a = b, so that what lies on the near plane stays on it.
+static inline float mix_exact_ends(float a, float b, float t) { return fma(t, b, fma(-t, a, a)); }
+
 static inline Corner cut(const Corner* inner, const Corner* outer, float inner_distance, float outer_distance, int plane,
                          constant const FrameConstants* frame) {
-  const float total = inner_distance - outer_distance;
-  const float of_outer = inner_distance / total, of_inner = -outer_distance / total;
+  const float t = inner_distance / (inner_distance - outer_distance);
   Corner c;
-  c.x = fma(of_outer, outer->x, of_inner * inner->x);
-  c.y = fma(of_outer, outer->y, of_inner * inner->y);
-  c.z = fma(of_outer, outer->z, of_inner * inner->z);
-  c.w = fma(of_outer, outer->w, of_inner * inner->w);
-  for (int i = 0; i < 3; i++) c.weight[i] = fma(of_outer, outer->weight[i], of_inner * inner->weight[i]);
+  c.x = mix_exact_ends(inner->x, outer->x, t);
+  c.y = mix_exact_ends(inner->y, outer->y, t);
+  c.z = mix_exact_ends(inner->z, outer->z, t);
+  c.w = mix_exact_ends(inner->w, outer->w, t);
+  for (int i = 0; i < 3; i++) c.weight[i] = mix_exact_ends(inner->weight[i], outer->weight[i], t);
   if (plane == 0) {
     c.w = frame->near_w;
     c.z = frame->near_depth * c.w;

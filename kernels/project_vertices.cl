@@ -23,7 +23,7 @@ static inline void normalize_or(float16* x, float16* y, float16* z, float16 fall
 }
 
 static inline void store_normals(global const DrawConstants* draw, global const TargetConstants* targets,
-                                 global const float* restrict mesh_data, uint at, global int4* restrict out) {
+                                 global const float* mesh_data, uint at, global int4* out) {
   float16 x, y, z;
   MORPH_3(mesh_data, draw->normals, draw->pitch, at, targets, draw->first_target, draw->target_count, normals, x, y, z)
   normalize_or(&x, &y, &z, vload16(0, mesh_data + draw->normals + at), vload16(0, mesh_data + draw->normals + draw->pitch + at),
@@ -38,7 +38,7 @@ static inline void store_normals(global const DrawConstants* draw, global const 
 }
 
 static inline float16 morphed_color_plane(global const DrawConstants* draw, global const TargetConstants* targets,
-                                          global const float* restrict mesh_data, uint at, uint plane) {
+                                          global const float* mesh_data, uint at, uint plane) {
   const float16 base = vload16(0, mesh_data + draw->colors + plane * draw->pitch + at);
   float16 value = base;
   for (uint k = 0; k < draw->target_count; k++) {

@@ -33,8 +33,8 @@ typedef struct {
   float16 least, greatest;  // depths in the block
 } Blocks;
 
-static inline void merge_fragments(Tile tile, global const ulong* restrict keys, global const ushort* restrict places,
-                                   global const uint* restrict next, uint head) {
+static inline void merge_fragments(Tile tile, global const ulong* keys, global const ushort* places,
+                                   global const uint* next, uint head) {
   while (head) {
     const uint page = (head - 1) / PAGE, count = head - page * PAGE;
     for (uint i = page * PAGE; i < page * PAGE + count; i++) {
@@ -72,7 +72,7 @@ static inline void write_out_block(Tile tile, int column, int row, uint content,
   }
 }
 
-static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* restrict large, uint number, float far_depth) {
+static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint number, float far_depth) {
   global const LargeTriangle* t = &large[number];
   const int px = tile.x * SUBPIXELS + HALF_PIXEL, py = tile.y * SUBPIXELS + HALF_PIXEL;
   const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};

@@ -29,9 +29,9 @@ float plane_distance(const ClipPoint& p, Plane plane, const FramePlan& frame, co
 // From the inner to the outer end, whichever way round the polygon runs; the plane's own coordinate is set.
 Corner cut(const Corner& inner, const Corner& outer, float inner_distance, float outer_distance, Plane plane,
            const FramePlan& frame, const RasterGrid& grid) {
-  const float total = inner_distance - outer_distance;
-  const float of_outer = inner_distance / total, of_inner = -outer_distance / total;
-  const auto mix = [&](float in, float out) { return std::fma(of_outer, out, of_inner * in); };
+  const float t = inner_distance / (inner_distance - outer_distance);
+  // Exact where both ends agree, so that what lies on the near plane stays on it.
+  const auto mix = [&](float in, float out) { return std::fma(t, out, std::fma(-t, in, in)); };
   Corner c;
   c.clip = {mix(inner.clip.x, outer.clip.x), mix(inner.clip.y, outer.clip.y), mix(inner.clip.z, outer.clip.z),
             mix(inner.clip.w, outer.clip.w)};

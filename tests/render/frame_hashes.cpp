@@ -1,0 +1,34 @@
+// frame_hashes WIDTH HEIGHT [reference]: one line a frame of every test scene, "hash SCENE/FRAME", drawn by a process
+// of its own under the environment that a test gives it. An Error is printed and its exit code is the process's.
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "host/error.hpp"
+#include "host/image/pixel_hash.hpp"
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "tests/render/test_scenes.hpp"
+
+int main(int count, char** values) {
+  using namespace morphcl;
+  if (count < 3) return 2;
+  const int width = std::atoi(values[1]), height = std::atoi(values[2]);
+  try {
+    prepare_process(0);
+    const bool reference = count > 3 && std::string(values[3]) == "reference";
+    const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
+    const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
+    for (const test::TestScene& scene : test::test_scenes(width, height))
+      for (const std::int64_t frame : scene.frames) {
+        FrameBuffer pixels(width, height, true, true);
+        renderer->render(plan_frame(scene.scene, frame), pixels);
+        fmt::print("{} {}/{}\n", pixel_hash(pixels), scene.name, frame);
+      }
+    if (session) session->store_programs();
+  } catch (const Error& error) {
+    fmt::print("error {}\n", error.what());
+    return error.exit_code();
+  }
+  return 0;
+}

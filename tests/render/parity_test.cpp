@@ -1,0 +1,89 @@
+// The device draws the reference's bits: every test scene, at sizes that do and do not fill whole tiles.
+#include "tests/render/parity.hpp"
+
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "tests/render/shared_session.hpp"
+#include "tests/render/test_scenes.hpp"
+
+namespace morphcl::test {
+namespace {
+
+void expect_parity(Renderer& device, Renderer& reference, const Scene& scene, std::int64_t frame,
+                   bool may_be_blank = false) {
+  const FramePlan plan = plan_frame(scene, frame);
+  FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth),
+      actual(plan.width, plan.height, plan.color, plan.depth);
+  reference.render(plan, expected);
+  device.render(plan, actual);
+  EXPECT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
+  if (plan.color && !may_be_blank) {
+    EXPECT_GT(covered_pixels(expected), 0u);
+  }
+}
+
+TEST(Parity, EveryTestScene) {
+  const auto reference = make_reference_renderer();
+  for (const TestScene& test : test_scenes(333, 211)) {
+    SCOPED_TRACE(test.name);
+    const auto device = make_device_renderer(shared_session());
+    for (const std::int64_t frame : test.frames)
+      expect_parity(*device, *reference, test.scene, frame, test.name == "nothing" || test.name == "degenerate");
+  }
+}
+
+TEST(Parity, EveryFrameOfThePyramidThatBecomesACube) {
+  const Scene scene = pyramid_to_cube(192, 108);
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (std::int64_t frame = 0; frame <= 100; ++frame) expect_parity(*device, *reference, scene, frame);
+}
+
+TEST(Parity, SizesThatDoNotFillTiles) {
+  const auto reference = make_reference_renderer();
+  for (const auto& [width, height] : {std::pair{1, 1}, {17, 3}, {64, 64}, {65, 129}, {300, 2}, {2, 300}}) {
+    SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+    const auto device = make_device_renderer(shared_session());
+    for (const unsigned seed : {5u, 6u}) {
+      SCOPED_TRACE(seed);
+      const Scene soup = triangle_soup(seed, 2000, width, height);
+      expect_parity(*device, *reference, soup, 0);
+    }
+  }
+}
+
+TEST(Parity, ChannelsThatWereNotAskedFor) {
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (const auto& [color, depth] : {std::pair{true, false}, {false, true}}) {
+    Scene soup = triangle_soup(8, 500, 100, 80);
+    soup.image.color = color, soup.image.depth = depth;
+    expect_parity(*device, *reference, soup, 0);
+  }
+}
+
+// A frame depends on its plan only, not on what the renderer drew before: small pools that grew, other scenes' tables.
+TEST(Parity, AFrameDoesNotDependOnTheFramesBefore) {
+  const std::vector<TestScene> scenes = test_scenes(160, 90);
+  const auto device = make_device_renderer(shared_session());
+  std::vector<FrameBuffer> first;
+  for (const TestScene& test : scenes) {
+    const FramePlan plan = plan_frame(test.scene, test.frames.back());
+    first.emplace_back(plan.width, plan.height, true, true);
+    make_device_renderer(shared_session())->render(plan, first.back());
+  }
+  for (std::size_t i = scenes.size(); i-- > 0;) {
+    SCOPED_TRACE(scenes[i].name);
+    FrameBuffer frame(160, 90, true, true);
+    device->render(plan_frame(scenes[i].scene, scenes[i].frames.back()), frame);
+    EXPECT_TRUE(same_pixels(first[i], frame));
+  }
+}
+
+// More fragments, large triangles and clipped triangles than any first guess has room for.
+TEST(Parity, PoolsGrowAndLoseNothing) {
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  Scene soup = triangle_soup(10, 40000, 200, 150);
+  expect_parity(*device, *reference, soup, 0);
+}
+
+}  // namespace
+}  // namespace morphcl::test

@@ -1,0 +1,26 @@
+// Scenes that put every stage of rendering to the test, made here and small enough for the reference renderer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.hpp"
+
+namespace morphcl::test {
+
+struct TestScene {
+  std::string name;
+  Scene scene;
+  std::vector<std::int64_t> frames;
+};
+
+// Each named after what it is there for. All of them are drawn at `width` x `height`.
+std::vector<TestScene> test_scenes(int width, int height);
+
+// Triangles of all sizes and directions around a camera, many of them behind it, across the near plane and far outside.
+Scene triangle_soup(unsigned seed, int triangles, int width, int height);
+
+// The pyramid that becomes a box in steps 0 to 100, lit flat, while it turns.
+Scene pyramid_to_cube(int width, int height);
+
+}  // namespace morphcl::test

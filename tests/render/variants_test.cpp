@@ -1,0 +1,40 @@
+// The same bits with one thread and with two, and with every kernel library that this processor can run: PoCL's
+// libraries stand in for several kinds of processor.
+#include <gtest/gtest.h>
+
+#include "tests/device/child_process.hpp"
+#include "tests/device/kernel_libraries.hpp"
+#include "tests/device/temporary_folder.hpp"
+
+namespace morphcl::test {
+namespace {
+
+using testing::ChildProcess;
+using testing::Environment;
+using testing::TemporaryFolder;
+
+std::string frame_hashes(Environment environment, std::vector<std::string> extra = {}) {
+  const TemporaryFolder cache;  // of its own: PoCL's must not be shared between kernel libraries
+  environment["MORPHCL_CACHE_DIR"] = (cache / "morphcl").string();
+  std::vector<std::string> command = {MORPHCL_FRAME_HASHES, "150", "100"};
+  command.insert(command.end(), extra.begin(), extra.end());
+  const testing::ChildResult result = ChildProcess(command, environment).wait();
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  return result.output;
+}
+
+TEST(FrameHashes, AreThoseOfTheReferenceWithOneThreadAndWithTwo) {
+  const std::string reference = frame_hashes({}, {"reference"});
+  EXPECT_GT(std::count(reference.begin(), reference.end(), '\n'), 25);
+  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "1"}}), reference);
+  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "2"}}), reference);
+}
+
+TEST(FrameHashes, AreTheSameForEveryKernelLibrary) {
+  const std::string reference = frame_hashes({}, {"reference"});
+  for (const std::string& library : testing::kernel_libraries_that_run_here())
+    EXPECT_EQ(frame_hashes({{"POCL_KERNELLIB_NAME", library}}), reference) << library;
+}
+
+}  // namespace
+}  // namespace morphcl::test
