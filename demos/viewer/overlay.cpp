@@ -58,7 +58,8 @@ void draw_text_box(const std::vector<std::string>& lines, RgbImage& picture) {
   for (const std::string& line : lines) columns = std::max(columns, static_cast<int>(line.size()));
   const int width = columns * kGlyphAdvance + 2 * kMargin;  // dots
   const int height = static_cast<int>(lines.size()) * kLineAdvance + 2 * kMargin;
-  const int fitting = std::min(picture.width / (width + 2 * kMargin), picture.height / (height + 2 * kMargin));
+  // Half of the width at most, where a dot is not a single pixel already: the picture is what one came for.
+  const int fitting = std::min(picture.width / 2 / (width + kMargin), picture.height / (height + 2 * kMargin));
   const int dot = std::clamp(fitting, 1, kLargestDot);
 
   const int corner = kMargin * dot;

@@ -1,11 +1,13 @@
 #include "tests/demos/expected_frame.hpp"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <Imath/half.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "host/render/plan.hpp"
 #include "host/render/reference_renderer.hpp"
@@ -49,6 +51,19 @@ RgbImage srgb_picture(const FrameBuffer& frame) {
     }
   }
   return picture;
+}
+
+RgbImage read_png(const std::string& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_file(&png, path.c_str())) throw std::runtime_error(path + ": " + png.message);
+  png.format = PNG_FORMAT_RGB;
+  RgbImage image(static_cast<int>(png.width), static_cast<int>(png.height), Rgb{});
+  static_assert(sizeof(Rgb) == 3);
+  if (!png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr)) {
+    throw std::runtime_error(path + ": " + png.message);
+  }
+  return image;
 }
 
 std::string difference(const RgbImage& actual, const RgbImage& expected, int bound) {

@@ -163,6 +163,8 @@ TEST_F(DemoWindow, ANewSizeIsRenderedAnew) {
   expect_title("step 37");
   display_->xdotool({"windowsize", window_, "401", "257"});
   expect_picture(37, 401, 257);
+  display_->xdotool({"windowsize", window_, "240", "199"});
+  expect_picture(37, 240, 199);
 }
 
 TEST_F(DemoWindow, ExportWritesTheFrameAndNamesIt) {
