@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "anim/hierarchy.hpp"
+#include "host/error.hpp"
+
 namespace morphcl {
 
 namespace {
@@ -59,47 +62,15 @@ void read_children(const GltfValue& json, int parent, std::vector<Node>& nodes) 
   }
 }
 
-// Each node has at most one parent, so the way up from `start` ends in the cycle.
-[[noreturn]] void refuse_cycle(const GltfDocument& document, const std::vector<Node>& nodes, int start) {
-  int member = start;
-  for (std::size_t i = 0; i < nodes.size(); ++i) member = nodes[static_cast<std::size_t>(member)].parent;
-  constexpr int told_nodes = 8;
-  std::string names = fmt::format("{}", member);
-  int next = nodes[static_cast<std::size_t>(member)].parent;
-  for (int told = 1; next != member && told < told_nodes; ++told) {
-    names = fmt::format("{} > {}", next, names);
-    next = nodes[static_cast<std::size_t>(next)].parent;
+std::vector<int> order_nodes(const GltfDocument& document, const std::vector<Node>& nodes) {
+  std::vector<int> parents;
+  parents.reserve(nodes.size());
+  for (const Node& node : nodes) parents.push_back(node.parent);
+  try {
+    return parents_first(parents);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", document.path(), error.place()), error.message());
   }
-  document.element("nodes", static_cast<std::size_t>(member))
-      .fail(fmt::format("is below itself: {} > {}", next == member ? fmt::format("{}", member) : "...", names));
-}
-
-// From the roots down; what is not reached hangs below a cycle.
-std::vector<int> order_parents_first(const GltfDocument& document, const std::vector<Node>& nodes) {
-  const std::size_t count = nodes.size();
-  std::vector<std::size_t> first_child(count + 1), children(count);
-  for (const Node& node : nodes)
-    if (node.parent >= 0) ++first_child[static_cast<std::size_t>(node.parent) + 1];
-  for (std::size_t i = 0; i < count; ++i) first_child[i + 1] += first_child[i];
-  std::vector<std::size_t> next = first_child;
-  std::vector<int> order;
-  order.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int parent = nodes[i].parent;
-    if (parent < 0)
-      order.push_back(static_cast<int>(i));
-    else
-      children[next[static_cast<std::size_t>(parent)]++] = i;
-  }
-  std::vector<bool> reached(count);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto at = static_cast<std::size_t>(order[i]);
-    reached[at] = true;
-    for (std::size_t c = first_child[at]; c < first_child[at + 1]; ++c) order.push_back(static_cast<int>(children[c]));
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    if (!reached[i]) refuse_cycle(document, nodes, static_cast<int>(i));
-  return order;
 }
 
 std::vector<int> drawn_roots(const GltfDocument& document, const std::vector<Node>& nodes) {
@@ -135,7 +106,7 @@ GltfNodes read_nodes(const GltfDocument& document, GltfWarnings& warnings) {
   }
   for (std::size_t i = 0; i < count; ++i)
     read_children(document.element("nodes", i), static_cast<int>(i), result.nodes);
-  result.parents_first = order_parents_first(document, result.nodes);
+  result.parents_first = order_nodes(document, result.nodes);
   result.drawn.resize(count);
   for (const int root : drawn_roots(document, result.nodes)) result.drawn[static_cast<std::size_t>(root)] = true;
   for (const int node : result.parents_first)

@@ -102,8 +102,12 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
   GltfSampler result;
   result.last_seconds = times.back();
   result.bytes = ticks.size() * sizeof(std::int64_t) + kept.size() * sizeof(double);
-  result.track = Track(interpolation, static_cast<int>(use.width), use.rotation, time.ticks_per_second(),
-                       std::move(ticks), std::move(kept));
+  try {
+    result.track = Track(interpolation, static_cast<int>(use.width), use.rotation, time.ticks_per_second(),
+                         std::move(ticks), std::move(kept));
+  } catch (const Error& error) {
+    throw error.at(json.place());
+  }
   return result;
 }
 

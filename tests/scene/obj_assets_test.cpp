@@ -1,0 +1,99 @@
+// Real .obj files, read a second time by tinyobjloader, below the folder that MORPHCL_ASSETS names.
+#include <gtest/gtest.h>
+#include <tiny_obj_loader.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+#include "host/geometry/mesh.hpp"
+#include "host/scene/obj_import.hpp"
+
+namespace morphcl::test {
+namespace {
+
+std::string asset(const std::string& name) {
+  const char* assets = std::getenv("MORPHCL_ASSETS");
+  return (assets ? std::string(assets) : std::string("MORPHCL_ASSETS is not set")) + "/" + name;
+}
+
+// tinyobjloader builds decimals step by step in fp64, off by some 1e-15, and rounds again: at most one fp32 step away.
+void expect_within_one_step(const glm::vec3& actual, const float* expected, std::size_t triangle) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_GE(actual[axis], std::nextafter(expected[axis], -infinity)) << "triangle " << triangle << ", axis " << axis;
+    EXPECT_LE(actual[axis], std::nextafter(expected[axis], infinity)) << "triangle " << triangle << ", axis " << axis;
+  }
+}
+
+class RealObj : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
+  const std::string path = asset(GetParam());
+  const ImportedModel model = import_obj(path);
+  const Mesh& mesh = model.meshes[0];
+  EXPECT_NO_THROW(validate(mesh));
+
+  tinyobj::ObjReaderConfig config;
+  config.triangulate = false;
+  tinyobj::ObjReader reader;
+  ASSERT_TRUE(reader.ParseFromFile(path, config)) << reader.Error();
+  const std::vector<float>& positions = reader.GetAttrib().vertices;
+  std::size_t triangle = 0;
+  std::set<std::pair<int, int>> sides;
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    std::size_t first = 0;
+    for (const unsigned char corners : shape.mesh.num_face_vertices) {
+      // The corners of a face's triangles, whichever way it was cut, are the corners of the face.
+      std::set<int> expected, actual_corners;
+      for (std::size_t c = 0; c < corners; ++c) {
+        const int a = shape.mesh.indices[first + c].vertex_index;
+        const int b = shape.mesh.indices[first + (c + 1) % corners].vertex_index;
+        expected.insert(a);
+        sides.emplace(std::min(a, b), std::max(a, b));
+      }
+      const std::size_t triangles = std::size_t{corners} - 2;
+      ASSERT_LE(triangle + triangles, mesh.triangles.size());
+      for (std::size_t t = 0; t < triangles; ++t, ++triangle)
+        for (int c = 0; c < 3; ++c) {
+          const glm::vec3& p = mesh.positions[mesh.triangles[triangle][c]];
+          int nearest = -1;
+          float best = std::numeric_limits<float>::infinity();
+          for (const int candidate : expected) {
+            const float* q = &positions[3 * static_cast<std::size_t>(candidate)];
+            const float distance = glm::distance(p, glm::vec3(q[0], q[1], q[2]));
+            if (distance < best) best = distance, nearest = candidate;
+          }
+          ASSERT_GE(nearest, 0);
+          actual_corners.insert(nearest);
+          expect_within_one_step(p, &positions[3 * static_cast<std::size_t>(nearest)], triangle);
+        }
+      EXPECT_EQ(actual_corners.size(), expected.size()) << "before triangle " << triangle;
+      first += corners;
+    }
+  }
+  EXPECT_EQ(triangle, mesh.triangles.size());
+  EXPECT_EQ(wireframe_edges(mesh).size(), sides.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Assets, RealObj,
+                         testing::Values("obj/spot.obj", "obj/suzanne.obj", "obj_face/generic_neutral_mesh.obj"));
+
+TEST(RealObjTargets, FaceExpressionsFitTheNeutralFace) {
+  const ImportedModel model = import_obj_targets(asset("obj_face/generic_neutral_mesh.obj"),
+                                                 {asset("obj_face/jawOpen.obj"), asset("obj_face/browInnerUp_L.obj")});
+  const Mesh& mesh = model.meshes[0];
+  ASSERT_EQ(mesh.positions.size(), 26719u);
+  ASSERT_EQ(mesh.targets.size(), 2u);
+  EXPECT_EQ(mesh.targets[0].name, "jawOpen");
+  for (const MorphTarget& target : mesh.targets) {
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) moved += target.positions[i] != mesh.positions[i];
+    EXPECT_GT(moved, 100u) << target.name;
+    EXPECT_LT(moved, mesh.positions.size()) << target.name;
+  }
+}
+
+}  // namespace
+}  // namespace morphcl::test

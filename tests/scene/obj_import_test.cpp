@@ -1,0 +1,217 @@
+// Meshes and morph targets out of .obj files, and what is refused.
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <random>
+
+#include "host/geometry/mesh.hpp"
+#include "host/scene/obj_import.hpp"
+#include "tests/scene/import_error.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace morphcl::test {
+namespace {
+
+class ObjImport : public testing::Test {
+ protected:
+  Mesh mesh(const std::string& text) { return import_obj(folder.write("model.obj", text)).meshes[0]; }
+  void expect_bad(const std::string& text, const std::string& line, const std::string& words) {
+    const std::string path = folder.write("model.obj", text);
+    expect_refusal([&] { import_obj(path); }, ErrorKind::bad_input, path + line, words);
+  }
+  void expect_bad_target(const std::string& neutral, const std::string& target, const std::string& line,
+                         const std::string& words) {
+    const std::string neutral_path = folder.write("neutral.obj", neutral), path = folder.write("smile.obj", target);
+    expect_refusal([&] { import_obj_targets(neutral_path, {path}); }, ErrorKind::bad_input, path + line, words);
+  }
+  TemporaryFolder folder;
+};
+
+using Triangles = std::vector<glm::uvec3>;
+using Edges = std::vector<glm::uvec2>;
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(ObjImport, QuadKeepsItsOwnSides) {
+  const ImportedModel model = import_obj(folder.write("plate.obj", square + "f 1 2 3 4\n"));
+  const Mesh& plate = model.meshes[0];
+  EXPECT_EQ(plate.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(plate.edges, (Edges{{0, 1}, {0, 3}, {1, 2}, {2, 3}}));
+  EXPECT_TRUE(plate.normals.empty());
+  EXPECT_EQ(plate.name, "plate");
+  ASSERT_EQ(model.objects.size(), 1u);
+  EXPECT_EQ(model.objects[0].name, "plate");
+  EXPECT_TRUE(model.objects[0].material.double_sided);
+  EXPECT_EQ(model.objects[0].material.shading, Shading::flat);
+  EXPECT_EQ(model.weights.size(), 1u);
+  EXPECT_EQ(model.duration_seconds, 0);
+  EXPECT_TRUE(model.warnings.empty());
+}
+
+TEST_F(ObjImport, EveryWayToWriteACorner) {
+  const std::string head = square + "vt 0 0\nvn 0 0 2\n";
+  for (const std::string face : {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f -4 -3 -2",
+                                 "f -4/-1/-1 -3/-1/-1 -2/-1/-1", "f 1/ 2/ 3/", "fo 1 2 3"}) {
+    const Mesh read = mesh(head + face);
+    EXPECT_EQ(read.triangles, (Triangles{{0, 1, 2}})) << face;
+    EXPECT_EQ(read.positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}})) << face;
+    const bool has_normals = face.find("//") != std::string::npos || face.find("/1/1") != std::string::npos ||
+                             face.find("/-1/-1") != std::string::npos;
+    EXPECT_EQ(read.normals, std::vector<glm::vec3>(has_normals ? 3 : 0, {0, 0, 1})) << face;
+  }
+}
+
+TEST_F(ObjImport, NegativeIndicesCountBackFromTheFace) {
+  const Mesh read = mesh("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\nv 5 5 5\nf -1 -2 -3\n");
+  EXPECT_EQ(read.triangles, (Triangles{{2, 1, 0}, {3, 2, 1}}));
+  EXPECT_EQ(read.positions[3], glm::vec3(5, 5, 5));
+}
+
+TEST_F(ObjImport, VertexWithTwoNormalsIsSplitAndItsSideDrawnOnce) {
+  const Mesh read = mesh(square + "v 0 0 1\nvn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 3//1\nf 1//2 2//2 5//2\n");
+  EXPECT_EQ(read.positions.size(), 6u);
+  EXPECT_EQ(read.edges.size(), 5u) << "the shared side counts once";
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.normals[read.triangles[0][static_cast<int>(i)]], glm::vec3(0, 0, 1));
+    EXPECT_EQ(read.normals[read.triangles[1][static_cast<int>(i)]], glm::vec3(0, -1, 0));
+  }
+}
+
+TEST_F(ObjImport, MissingNormalsAtSomeCornersLightTheFacesFlat) {
+  const ImportedModel model = import_obj(folder.write("a.obj", square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n"));
+  EXPECT_TRUE(model.meshes[0].normals.empty());
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("lit flat"), std::string::npos);
+}
+
+TEST_F(ObjImport, NumbersDoNotDependOnTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "C.UTF-8"}) std::setlocale(LC_ALL, name);
+  const Mesh read = mesh("v 0.1 2.5e-1 -3.75\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::setlocale(LC_ALL, before.c_str());
+  EXPECT_EQ(read.positions[0], glm::vec3(0.1f, 0.25f, -3.75f));
+}
+
+TEST_F(ObjImport, VertexColorsOfEveryVertex) {
+  EXPECT_EQ(mesh("v 0 0 0 1 0.5 0\nv 1 0 0 1 0.5 0\nv 0 1 0 2 -1 0\nf 1 2 3\n").colors[2], glm::vec4(1, 0, 0, 1));
+  EXPECT_TRUE(mesh("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 2 -1 0\nf 1 2 3\n").colors.empty());
+  EXPECT_TRUE(mesh("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n").colors.empty()) << "a weight is no colour";
+}
+
+TEST_F(ObjImport, MaterialColor) {
+  folder.write("paint.mtl", "newmtl blue\nKd 0 0 1\nnewmtl red\r\nNs 5\r\n\tKd 1 0.5 0.25\r\nnewmtl red\nKd 0 1 0\n");
+  const std::string head = "mtllib paint.mtl\n" + square;
+  ImportedModel model = import_obj(folder.write("a.obj", head + "usemtl red\nf 1 2 3 4\n"));
+  EXPECT_EQ(model.objects[0].material.base_color, glm::dvec4(1, 0.5, 0.25, 1));
+  EXPECT_TRUE(model.warnings.empty());
+  model = import_obj(folder.write("a.obj", head + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n"));
+  EXPECT_EQ(model.objects[0].material.base_color, Material{}.base_color);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("the materials red, blue"), std::string::npos) << model.warnings[0];
+}
+
+TEST_F(ObjImport, MaterialFileThatIsMissingOrOutside) {
+  ImportedModel model = import_obj(folder.write("a.obj", "mtllib none.mtl\nusemtl x\n" + square + "f 1 2 3 4\n"));
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("none.mtl: No such file"), std::string::npos) << model.warnings[0];
+  expect_bad("mtllib ../secret.mtl\nusemtl x\n" + square + "f 1 2 3 4\n", "", "leaves the folder");
+}
+
+TEST_F(ObjImport, WhatIsNotDrawnIsNamed) {
+  const std::string text = square + "g a\no b\ns 1\nl 1 2\np 1\ncurv 0 1 1 2\nf 1 2 3 4\n";
+  EXPECT_EQ(import_obj(folder.write("a.obj", text)).warnings,
+            std::vector<std::string>{"not drawn: lines, points, statement curv"});
+}
+
+TEST_F(ObjImport, MorphTargetsAreAbsoluteAndNamedByTheirFiles) {
+  const std::string neutral = folder.write("neutral.obj", square + "v 7 7 7\nf 1 2 3 4\n");
+  const std::string wide = folder.write("wide.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 8 8 8\n# note\nf 1 2 3 4\n");
+  const ImportedModel model = import_obj_targets(neutral, {wide, neutral});
+  const Mesh& read = model.meshes[0];
+  ASSERT_EQ(read.targets.size(), 2u);
+  EXPECT_EQ(read.targets[0].name, "wide");
+  EXPECT_EQ(read.targets[0].form, TargetForm::absolute);
+  EXPECT_EQ(read.targets[0].positions, (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(read.targets[1].positions, read.positions);
+  EXPECT_TRUE(read.targets[0].normals.empty());
+  EXPECT_EQ(model.weights[0].weights, (std::vector<double>{0, 0}));
+  EXPECT_NE(model.content_hash, import_obj(neutral).content_hash);
+}
+
+TEST_F(ObjImport, TargetNormalsFollowTheCornersWhateverTheirNumbers) {
+  const std::string neutral =
+      folder.write("n.obj", square + "v 0 0 1\nvn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 3//1\nf 1//2 2//2 5//2\n");
+  const std::string turned =
+      folder.write("t.obj", square + "v 0 0 2\nvn 3 0 0\nvn 0 1 0\nvn 0 0 -1\nf 1//2 2//2 3//2\nf 1//1 2//1 5//3\n");
+  const Mesh read = import_obj_targets(neutral, {turned}).meshes[0];
+  const std::vector<glm::vec3>& normals = read.targets[0].normals;
+  ASSERT_EQ(normals.size(), read.positions.size());
+  EXPECT_EQ(normals[read.triangles[0][0]], glm::vec3(0, 1, 0));
+  EXPECT_EQ(normals[read.triangles[1][0]], glm::vec3(1, 0, 0));
+  EXPECT_EQ(normals[read.triangles[1][2]], glm::vec3(0, 0, -1));
+}
+
+TEST_F(ObjImport, TargetsOfAnotherTopologyAreRefused) {
+  const std::string neutral = square + "f 1 2 3\nf 1 3 4\n";
+  expect_bad_target(neutral, square + "v 0 0 0\nf 1 2 3\nf 1 3 4\n", "", "has 5 vertices (v), but");
+  expect_bad_target(neutral, square + "f 1 2 3\n\nf 1 4 3\n", ":7", "face 2 has other vertices than at");
+  expect_bad_target(neutral, square + "f 1 2 3\nf 1 3 4\nf 1 2 4\n", ":7", "face 3 is one more than");
+  expect_bad_target(neutral, square + "f 1 2 3\n", "", "has 1 faces, but");
+  expect_bad_target(neutral, square + "f 1 2 3 4\nf 1 3 4\n", ":5", "face 1 has other vertices");
+}
+
+TEST_F(ObjImport, BadLinesAreNamedByNumber) {
+  expect_bad(square + "f 1 2 5\n", ":5", "vertex 5 does not exist; the file has 4");
+  expect_bad(square + "f 1 2 0\n", ":5", "indices start at 1");
+  expect_bad(square + "f 1 2 -5\n", ":5", "vertex -5 does not exist");
+  expect_bad(square + "f 1 2 99999999999\n", ":5", "does not exist");
+  expect_bad(square + "f 1 2 x\n", ":5", "'x' is not the index of a vertex");
+  expect_bad(square + "f 1//1 2//1 3//1\n", ":5", "normal 1 does not exist; the file has 0");
+  expect_bad(square + "f 1 2\n", ":5", "3 corners or more, not 2");
+  expect_bad("v 0 0\n", ":1", "3, 4, 6 or 7 numbers, not 2");
+  expect_bad("v 0 0 nan\n", ":1", "'nan' is not a number that is finite");
+  expect_bad("\n\nv 0 1e39 0\n", ":3", "'1e39'");
+  expect_bad("v 0 0 0 1 2 3 4 5\n", ":1", "at most 7");
+  expect_bad("vn 0 0\n", ":1", "a normal has 3 numbers");
+  expect_bad("", "", "holds no faces");
+  expect_bad(std::string(1000, '\0'), "", "holds no faces");
+}
+
+TEST_F(ObjImport, MissingFileAndLimits) {
+  const std::string path = (folder.path() / "none.obj").string();
+  expect_refusal([&] { import_obj(path); }, ErrorKind::cannot_read, path, "No such file");
+  const std::string model = folder.write("a.obj", square + "f 1 2 3 4\n");
+  ImportLimits limits;
+  limits.max_vertices = 3;
+  expect_refusal([&] { import_obj(model, limits); }, ErrorKind::bad_input, model + ":4", "more than 3 vertices");
+  limits = {};
+  limits.max_decoded_bytes = 10;
+  expect_refusal([&] { import_obj(model, limits); }, ErrorKind::bad_input, model, "at most 10 are read");
+  limits.max_decoded_bytes = 150;
+  expect_refusal([&] { import_obj(model, limits); }, ErrorKind::bad_input, model, "one model may take");
+}
+
+TEST_F(ObjImport, DamagedFilesAreRefusedOrRead) {
+  const std::string whole = square + "vn 0 0 1\nusemtl a\nf 1//1 2//1 3//1 4//1\nf -1 \\\n-2 -3\n";
+  std::mt19937 random(11);
+  const auto below = [&](std::size_t limit) { return static_cast<std::size_t>(random() % limit); };
+  const std::string alphabet = "0123456789-.e/ \n\\vfn#\t\xff";
+  int read = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string bytes = whole.substr(0, i < 200 ? below(whole.size()) : whole.size());
+    for (std::size_t change = 0; change <= below(3) && !bytes.empty(); ++change)
+      bytes[below(bytes.size())] = alphabet[below(alphabet.size())];
+    const std::string path = folder.write("damaged.obj", bytes);
+    try {
+      validate(import_obj(path).meshes[0]);
+      ++read;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  }
+  EXPECT_GT(read, 100);
+  EXPECT_LT(read, 1900);
+}
+
+}  // namespace
+}  // namespace morphcl::test
