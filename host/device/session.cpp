@@ -29,7 +29,7 @@ struct BuiltProgram {
   bool store;  // built from source and not in the cache yet
 };
 
-const std::string& source_of(const std::string& stage) {
+const std::string& embedded_source(const std::string& stage) {
   const auto& sources = kernel_sources();
   const auto source = std::find_if(sources.begin(), sources.end(), [&](const auto& s) { return s.stage == stage; });
   if (source == sources.end())
@@ -63,25 +63,32 @@ struct Session::Impl {
   cl::Context context;
   cl::CommandQueue queue;
   std::string build_options;
+  std::function<std::string(const std::string&)> edit_source;
   std::optional<ProgramCache> cache;
   SelfTestResult self_test;
 
   std::mutex programs_mutex;
   std::map<std::string, BuiltProgram> programs;
 
-  void open(const FoundDevice& chosen, const std::string& cache_dir) {
+  void open(const FoundDevice& chosen, const SessionOptions& options) {
     info = chosen.info;
+    edit_source = options.edit_source;
     context = cl::Context(chosen.device);
     queue = cl::CommandQueue(context, chosen.device);
     build_options = morphcl::build_options(chosen.device, chosen.platform);
-    cache.emplace(choose_cache_dir(cache_dir), compiler_identity(chosen.device, chosen.platform));
+    cache.emplace(choose_cache_dir(options.cache_dir), compiler_identity(chosen.device, chosen.platform));
+  }
+
+  std::string source_of(const std::string& stage) const {
+    const std::string& source = embedded_source(stage);
+    return edit_source ? edit_source(source) : source;
   }
 
   const cl::Program& program(const std::string& stage) {
     const std::lock_guard lock(programs_mutex);
     const auto built = programs.find(stage);
     if (built != programs.end()) return built->second.program;
-    const std::string& source = source_of(stage);
+    const std::string source = source_of(stage);
     auto cached = cache->load(context, source, build_options);
     const bool store = !cached;
     if (!cached) cached = build_from_source(context, stage, source, build_options);
@@ -99,7 +106,7 @@ struct Session::Impl {
   }
 
   void run_self_test() {
-    const std::string& source = source_of(self_test_stage);
+    const std::string source = source_of(self_test_stage);
     if (cache->is_known_identical(source, build_options)) return;
     const cl::Program& tests = program(self_test_stage);
     self_test = morphcl::run_self_test(context, queue, cl::Kernel(tests, "self_test_scalar"),
@@ -117,7 +124,7 @@ std::shared_ptr<Session> Session::open(const SessionOptions& options) {
   const FoundDevice& chosen = choose_device(devices, options.device);
   std::shared_ptr<Session> session(new Session);
   checked(fmt::format("opening device \"{}\"", chosen.info.name), [&] {
-    session->impl_->open(chosen, options.cache_dir);
+    session->impl_->open(chosen, options);
     session->impl_->run_self_test();
   });
   return session;
@@ -137,7 +144,7 @@ cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_n
 void Session::store_programs() {
   try {
     for (const auto& [stage, program] : impl_->take_unstored())
-      impl_->cache->store(program, source_of(stage), impl_->build_options);
+      impl_->cache->store(program, impl_->source_of(stage), impl_->build_options);
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }

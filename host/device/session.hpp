@@ -25,6 +25,8 @@ struct SessionOptions {
   std::string device;     // "" the first CPU device, else the first of any kind; a number: index; else part of a name
   int threads = 0;        // 0: SLURM_CPUS_PER_TASK, else the affinity mask
   std::string cache_dir;  // "" $MORPHCL_CACHE_DIR, else $XDG_CACHE_HOME/morphcl, else ~/.cache/morphcl; "-" no cache
+  // Changes each kernel program's text before it is built; for tests that break a kernel on purpose.
+  std::function<std::string(const std::string&)> edit_source;
 };
 
 // Must run before the process's first OpenCL call: sets PoCL's thread variables from `threads`, then probes the

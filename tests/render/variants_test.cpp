@@ -13,8 +13,8 @@ using testing::ChildProcess;
 using testing::Environment;
 using testing::TemporaryFolder;
 
-std::string frame_hashes(Environment environment, std::vector<std::string> extra = {}) {
-  const TemporaryFolder cache;  // of its own: PoCL's must not be shared between kernel libraries
+std::string frame_hashes(Environment environment, const TemporaryFolder& cache,
+                         const std::vector<std::string>& extra = {}) {
   environment["MORPHCL_CACHE_DIR"] = (cache / "morphcl").string();
   std::vector<std::string> command = {MORPHCL_FRAME_HASHES, "150", "100"};
   command.insert(command.end(), extra.begin(), extra.end());
@@ -24,16 +24,19 @@ std::string frame_hashes(Environment environment, std::vector<std::string> extra
 }
 
 TEST(FrameHashes, AreThoseOfTheReferenceWithOneThreadAndWithTwo) {
-  const std::string reference = frame_hashes({}, {"reference"});
+  const TemporaryFolder cache;
+  const std::string reference = frame_hashes({}, cache, {"reference"});
   EXPECT_GT(std::count(reference.begin(), reference.end(), '\n'), 25);
-  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "1"}}), reference);
-  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "2"}}), reference);
+  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "1"}}, cache), reference);
+  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "2"}}, cache), reference);
 }
 
 TEST(FrameHashes, AreTheSameForEveryKernelLibrary) {
-  const std::string reference = frame_hashes({}, {"reference"});
-  for (const std::string& library : testing::kernel_libraries_that_run_here())
-    EXPECT_EQ(frame_hashes({{"POCL_KERNELLIB_NAME", library}}), reference) << library;
+  const std::string reference = frame_hashes({}, TemporaryFolder(), {"reference"});
+  for (const std::string& library : testing::kernel_libraries_that_run_here()) {
+    const TemporaryFolder cache;  // of its own: PoCL's must not be shared between kernel libraries
+    EXPECT_EQ(frame_hashes({{"POCL_KERNELLIB_NAME", library}}, cache), reference) << library;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// What `#pragma OPENCL FP_CONTRACT OFF` at the head of every kernel is for.
+#include <gtest/gtest.h>
+
+#include "host/device/kernel_source.hpp"
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "tests/device/kernel_libraries.hpp"
+#include "tests/render/parity.hpp"
+#include "tests/render/shared_session.hpp"
+#include "tests/render/test_scenes.hpp"
+
+namespace morphcl::test {
+namespace {
+
+const std::string pragma = "#pragma OPENCL FP_CONTRACT OFF\n";
+
+TEST(FpContract, IsOffInEveryKernelFile) {
+  for (const KernelSource& source : kernel_sources())
+    EXPECT_TRUE(source.text.starts_with(pragma)) << "kernels/" << source.stage << ".cl";
+}
+
+TEST(FpContract, WithoutThePragmaTheBitsChange) {
+  shared_session();  // prepares the process
+  const std::vector<std::string> libraries = testing::kernel_libraries_that_run_here();
+  const bool has_fma = std::find(libraries.begin(), libraries.end(), "avx2") != libraries.end();
+  SessionOptions options;
+  options.cache_dir = "-";
+  options.edit_source = [](std::string text) { return text.erase(0, pragma.size()); };
+  const auto contracted = make_device_renderer(Session::open(options)), reference = make_reference_renderer();
+  bool same = true;
+  for (const TestScene& test : test_scenes(200, 150)) {
+    const FramePlan plan = plan_frame(test.scene, test.frames[0]);
+    FrameBuffer expected(plan.width, plan.height, true, true), actual(plan.width, plan.height, true, true);
+    reference->render(plan, expected);
+    contracted->render(plan, actual);
+    same &= static_cast<bool>(same_pixels(expected, actual));
+  }
+  // A processor without fma has nothing to contract to.
+  EXPECT_EQ(same, !has_fma);
+}
+
+}  // namespace
+}  // namespace morphcl::test
