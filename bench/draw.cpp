@@ -30,7 +30,9 @@ void run(Options options) {
   const int frames = options.frames > 0 ? options.frames : bench.frames;
   const Scene scene = morphcl_scene(bench, frames);
   options.threads = prepare_process(options.threads);
-  const std::shared_ptr<Session> session = Session::open({.device = "", .threads = options.threads, .cache_dir = ""});
+  SessionOptions session_options;
+  session_options.threads = options.threads;
+  const std::shared_ptr<Session> session = Session::open(session_options);
   const std::unique_ptr<Renderer> renderer = make_device_renderer(session);
   const Planner planner(scene);
   FrameBuffer frame(bench.width, bench.height, true, true);
@@ -47,9 +49,7 @@ void run(Options options) {
     times.add(milliseconds(start, planned), milliseconds(planned, Clock::now()));
   }
   const PictureView picture{frame.color(0), frame.color(3), bench.width, bench.height, frame.row_pitch(), 1};
-  const DeviceInfo& device = session->info();
-  print_report("morphcl", fmt::format("{}, {}", device.platform, device.driver_version), bench, options, times,
-               picture_figures(picture));
+  print_report("morphcl", session->info().platform, bench, options, times, picture_figures(picture));
 }
 
 }  // namespace

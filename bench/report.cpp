@@ -34,13 +34,21 @@ PictureFigures picture_figures(const PictureView& picture) {
   return figures;
 }
 
+void FrameTimes::add(double first_ms, double second_ms) {
+  first_ms_.push_back(first_ms);
+  second_ms_.push_back(second_ms);
+  processor_end_ = std::clock();
+}
+
 std::vector<std::pair<std::string, double>> FrameTimes::summary() const {
+  const double processor_ms = 1000.0 * static_cast<double>(processor_end_ - processor_start_) / CLOCKS_PER_SEC;
   std::vector<double> whole(first_ms_);
   for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += second_ms_[i];
   return {{first_step_ + "_ms", median(first_ms_)},
           {second_step_ + "_ms", median(second_ms_)},
           {"frame_ms", median(whole)},
-          {"fastest_ms", *std::min_element(whole.begin(), whole.end())}};
+          {"fastest_ms", *std::min_element(whole.begin(), whole.end())},
+          {"cpu_ms", processor_ms / static_cast<double>(whole.size())}};
 }
 
 void print_report(const std::string& program, const std::string& renderer, const BenchScene& scene,

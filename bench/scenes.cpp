@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "host/error.hpp"
@@ -123,17 +122,21 @@ std::vector<Placement> scattered(int count) {
 
 // Looks at the origin from (1, 0.8, 1.7), from as far as both states together span 70 % of the picture's height.
 void fit_camera(BenchScene& scene) {
-  const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.8, 1.7));
+  const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(1.0, 0.8, 1.7));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), towards_eye));
+  const glm::dvec3 up = glm::cross(towards_eye, right);
+  std::vector<glm::dvec2> points;  // along up and towards_eye
+  for (const auto& positions : scene.shape.positions)
+    for (const glm::dvec3 position : positions)
+      points.emplace_back(glm::dot(position, up), glm::dot(position, towards_eye));
+
   const double half_height = std::tan(fovy_degrees * std::numbers::pi / 360.0);
   const auto span_at = [&](double distance) {
-    const glm::dmat4 to_eye = glm::lookAt(distance * direction, glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0));
     double lowest = 1.0, highest = -1.0;
-    for (const auto& positions : scene.shape.positions)
-      for (const glm::vec3& position : positions) {
-        const glm::dvec4 eye = to_eye * glm::dvec4(position, 1.0);
-        const double y = eye.y / (-eye.z * half_height);
-        lowest = std::min(lowest, y), highest = std::max(highest, y);
-      }
+    for (const glm::dvec2& point : points) {
+      const double y = point.x / ((distance - point.y) * half_height);
+      lowest = std::min(lowest, y), highest = std::max(highest, y);
+    }
     return (highest - lowest) / 2.0;
   };
   // The shapes reach 1.74 from the origin, so everything is in front of the eye.
@@ -142,7 +145,7 @@ void fit_camera(BenchScene& scene) {
     const double middle = (near + far) / 2.0;
     (span_at(middle) > 0.7 ? near : far) = middle;
   }
-  scene.eye = far * direction;
+  scene.eye = far * towards_eye;
   scene.target = glm::dvec3(0.0);
 }
 
