@@ -64,11 +64,11 @@ TEST(MorphBounds, AsksForOneWeightATarget) {
 }
 
 // Random meshes with targets of both forms, some without positions.
-Mesh random_mesh(std::mt19937& random) {
+Mesh random_mesh(std::mt19937& random, int vertices) {
   std::uniform_real_distribution<float> coordinate(-10, 10);
   const auto point = [&] { return glm::vec3(coordinate(random), coordinate(random), coordinate(random)); };
   Mesh mesh;
-  for (int i = 0; i < 20; ++i) mesh.positions.push_back(point());
+  for (int i = 0; i < vertices; ++i) mesh.positions.push_back(point());
   for (int t = 0; t < 5; ++t) {
     MorphTarget target;
     target.form = t % 2 ? TargetForm::absolute : TargetForm::delta;
@@ -95,7 +95,8 @@ TEST(MorphBounds, ContainEveryVertexForWeightsOfAnySign) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any_weight(-2, 3);
   for (int round = 0; round < 200; ++round) {
-    const Mesh mesh = random_mesh(random);
+    // The bounds of a single vertex are a point but for the rounding of the renderer's sum.
+    const Mesh mesh = random_mesh(random, round % 2 ? 20 : 1);
     const MorphBounds bounds(mesh);
     std::vector<double> weights;
     std::vector<Interval> around;

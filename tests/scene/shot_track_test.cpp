@@ -104,6 +104,15 @@ TEST(ShotTrack, CubicRotationPassesThroughItsKeysWithoutAFlip) {
   EXPECT_NEAR(x_axis_at(scene, 20).x, 0.5, rounding_bound);
 }
 
+TEST(ShotTrack, CubicRotationTakesQuaternionsOfEitherSign) {
+  const auto turning = [](const char* second) {
+    return with_track("target = \"rotation\"\ninterpolation = \"cubic\"\nkeys = [[0, [0, 0, 0, 1]], [10, " +
+                      std::string(second) + "], [20, [0, 0, 1, 0]]]");
+  };
+  const Scene scene = turning("[0, 0, 1, 1]"), negated = turning("[0, 0, -1, -1]");
+  for (int frame = 0; frame <= 20; ++frame) EXPECT_EQ(x_axis_at(scene, frame), x_axis_at(negated, frame)) << frame;
+}
+
 TEST(ShotTrack, MovesScalesAndHides) {
   const Scene scene = ShotFolder().load(R"(
 [[object]]
