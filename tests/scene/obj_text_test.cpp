@@ -52,7 +52,8 @@ void expect_nearest(const std::string& text) {
     const Big other = abs(exact(neighbour) - want);
     EXPECT_LE(error, other) << text << " became " << *value << ", but " << neighbour << " is nearer";
     if (error == other) {
-      EXPECT_EQ(std::fmod(std::ldexp(std::frexp(*value, new int), 24), 2.0f), 0) << text;
+      int exponent = 0;
+      EXPECT_EQ(std::fmod(std::ldexp(std::frexp(*value, &exponent), 24), 2.0f), 0) << text;
     }
   }
 }
