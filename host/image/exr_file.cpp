@@ -1,5 +1,9 @@
 #include "host/image/exr_file.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_encode.hpp"
@@ -17,6 +21,21 @@ std::string write_exr(const std::string& path, const FrameBuffer& frame, const F
   } catch (const Error& error) {
     throw error.at(path);
   }
+}
+
+void verify_exr(const std::string& path, const std::string& hash) {
+  std::string found;
+  try {
+    const ExrFrame frame = read_exr(path);
+    found = frame.stored_hash == hash ? frame.hash : frame.stored_hash;
+  } catch (const Error& error) {
+    found = error.message();
+  }
+  if (found == hash) return;
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  throw Error(ErrorKind::write_failed, path,
+              fmt::format("was written with the pixel hash {} and reads back with: {}; check the disk", hash, found));
 }
 
 }  // namespace morphcl

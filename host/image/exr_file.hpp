@@ -35,6 +35,10 @@ struct ExrFrame {
 // when it is damaged, deep, larger than FrameBuffer::max_side or has none of these channels.
 ExrFrame read_exr(const std::string& path);
 
+// Reads a frame back that was just written with this hash. Error(write_failed) when it reads differently or not at all;
+// the file is removed then, so that what stands under a final name is whole.
+void verify_exr(const std::string& path, const std::string& hash);
+
 // The frame at `path` if it is whole and of the job with this fingerprint: its pixels, decoded, have the hash that it
 // holds. Never throws: what cannot be read is not finished.
 std::optional<ExrFrame> read_finished_frame(const std::string& path, const std::string& fingerprint);

@@ -29,21 +29,6 @@ void check_settings(const RenderJob& job, const ImageSettings& image, const Fram
     throw Error(ErrorKind::usage, "", "pictures show colour, and this job has none; add RGBA to the channels");
 }
 
-void check_written(const std::string& path, const std::string& hash) {
-  std::string found;
-  try {
-    const ExrFrame frame = read_exr(path);
-    found = frame.stored_hash == hash ? frame.hash : frame.stored_hash;
-  } catch (const Error& error) {
-    found = error.message();
-  }
-  if (found == hash) return;
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);  // a file with its final name is whole
-  throw Error(ErrorKind::write_failed, path,
-              fmt::format("was written with the pixel hash {} and reads back with: {}; check the disk", hash, found));
-}
-
 }  // namespace
 
 void set_failed(FrameResult& result, const std::exception& error) {
@@ -86,7 +71,7 @@ void FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes& attrib
                         int threads) {
   try {
     result.hash = write_exr(result.path, pixels, attributes, image_.compression, threads);
-    if (job_.verify) check_written(result.path, result.hash);
+    if (job_.verify) verify_exr(result.path, result.hash);
     draw_pictures(result, pixels);
   } catch (const std::exception& error) {
     set_failed(result, error);

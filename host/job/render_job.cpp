@@ -55,7 +55,7 @@ class JobRun {
 
   std::vector<std::int64_t> keep_finished_frames();
   void render(const std::vector<std::int64_t>& frames);
-  void render_frame(std::int64_t frame, WriteQueue& queue);
+  void render_frame(const Planner& planner, std::int64_t frame, WriteQueue& queue);
 
   const RenderJob& job_;
   const Scene& scene_;
@@ -96,7 +96,9 @@ std::vector<std::int64_t> JobRun::keep_finished_frames() {
 }
 
 void JobRun::render(const std::vector<std::int64_t>& frames) {
+  if (frames.empty()) return;
   const ImageSettings& image = scene_.image;
+  const Planner planner(scene_);
   // Frames side by side keep all threads busy; a single one needs them all.
   const int exr_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(
@@ -109,18 +111,18 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
   for (const std::int64_t frame : frames) {
     if (stopped()) result_.interrupted = true;
     if (result_.interrupted || queue.broken()) break;
-    render_frame(frame, queue);
+    render_frame(planner, frame, queue);
   }
   queue.finish();
 }
 
-void JobRun::render_frame(std::int64_t frame, WriteQueue& queue) {
+void JobRun::render_frame(const Planner& planner, std::int64_t frame, WriteQueue& queue) {
   DrawnFrame drawn;
   drawn.result.frame = frame;
   drawn.result.path = output_.path(frame);
   drawn.pixels = queue.take_buffer();
   try {
-    const FramePlan plan = plan_frame(scene_, frame);
+    const FramePlan plan = planner.plan(frame);
     const auto start = std::chrono::steady_clock::now();
     renderer_.render(plan, *drawn.pixels);
     drawn.result.milliseconds =

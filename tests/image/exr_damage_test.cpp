@@ -120,6 +120,28 @@ TEST(DamagedExr, FlippedPixelOfAnUncompressedFileIsFound) {
   EXPECT_FALSE(is_finished_frame(folder / "a.exr", fingerprint));
 }
 
+TEST(DamagedExr, VerificationRemovesWhatReadsBackDifferently) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.exr";
+  const std::string hash = write_exr(path, disc_frame(64, 64), job_attributes(), "none");
+  EXPECT_NO_THROW(verify_exr(path, hash));
+  const std::vector<char> whole = bytes_of(path);
+  std::vector<char> flipped = whole;
+  flipped[flipped.size() - 1000] = static_cast<char>(flipped[flipped.size() - 1000] ^ 1);
+  for (const std::vector<char>& bytes : {flipped, {whole.begin(), whole.end() - 1}, {}}) {
+    write_bytes(path, bytes);
+    try {
+      verify_exr(path, hash);
+      ADD_FAILURE() << "a damaged file was taken";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::write_failed);
+    }
+    EXPECT_TRUE(folder.names().empty());
+  }
+  write_exr(path, disc_frame(64, 60), job_attributes(), "none");  // whole, but another frame
+  EXPECT_THROW(verify_exr(path, hash), Error);
+}
+
 TEST(DamagedExr, FrameOfAnotherJobIsNotFinished) {
   const TemporaryFolder folder;
   write_exr(folder / "a.exr", disc_frame(8, 8), job_attributes(), "zip");

@@ -1,0 +1,56 @@
+// A renderer for tests of jobs: its pixels depend on the frame number alone, and it notes what it was asked for.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "host/job/render_job.hpp"
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl::job_test {
+
+constexpr int width = 24, height = 10;
+
+inline FrameBuffer pixels_of(std::int64_t frame) {
+  return image_test::arbitrary_frame(width, height, true, true, static_cast<std::uint64_t>(frame));
+}
+
+class FakeRenderer : public Renderer {
+ public:
+  std::vector<std::int64_t> rendered;                   // in the order of the calls
+  std::set<const FrameBuffer*> buffers;                 // that were handed in
+  std::function<void(std::int64_t frame)> before_draw;  // may throw
+
+  void render(const FramePlan& plan, FrameBuffer& frame) override {
+    rendered.push_back(plan.frame);
+    buffers.insert(&frame);
+    if (before_draw) before_draw(plan.frame);
+    const FrameBuffer pixels = pixels_of(plan.frame);
+    for (int channel = 0; channel < 4; ++channel)
+      std::copy_n(pixels.color(channel), pixels.plane_elements(), frame.color(channel));
+    std::copy_n(pixels.depth(), pixels.plane_elements(), frame.depth());
+  }
+  std::string name() const override { return "fake"; }
+};
+
+inline Scene empty_scene() {
+  Scene scene;
+  scene.image.width = width;
+  scene.image.height = height;
+  scene.image.compression = "rle";
+  scene.content_hash = "content";
+  return scene;
+}
+
+// Several frames side by side, whatever machine the test runs on.
+inline RenderJob job_of(const std::string& pattern, std::vector<std::int64_t> frames) {
+  RenderJob job;
+  job.pattern = pattern;
+  job.frames = std::move(frames);
+  job.threads = 2;
+  job.fingerprint = fingerprint(empty_scene());
+  return job;
+}
+
+}  // namespace morphcl::job_test

@@ -1,0 +1,371 @@
+#include "host/job/render_job.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "host/error.hpp"
+#include "host/image/exr_file.hpp"
+#include "tests/image/temporary_folder.hpp"
+#include "tests/job/fake_renderer.hpp"
+
+namespace morphcl {
+namespace {
+
+using namespace job_test;
+using image_test::bytes_of;
+using image_test::TemporaryFolder;
+using Status = FrameResult::Status;
+
+std::vector<std::int64_t> range(std::int64_t first, std::int64_t last) {
+  std::vector<std::int64_t> frames(static_cast<std::size_t>(last - first + 1));
+  std::iota(frames.begin(), frames.end(), first);
+  return frames;
+}
+
+std::vector<std::int64_t> frames_of(const JobResult& result, Status status) {
+  std::vector<std::int64_t> frames;
+  for (const FrameResult& frame : result.frames)
+    if (frame.status == status) frames.push_back(frame.frame);
+  return frames;
+}
+
+void expect_whole(const FrameResult& result) {
+  const ExrFrame read = read_exr(result.path);
+  EXPECT_EQ(image_test::difference(pixels_of(result.frame), read.frame), "") << "frame " << result.frame;
+  EXPECT_EQ(read.hash, result.hash) << "frame " << result.frame;
+  EXPECT_EQ(read.stored_hash, result.hash) << "frame " << result.frame;
+}
+
+ErrorKind kind_of_failure(const RenderJob& job, const Scene& scene = empty_scene()) {
+  FakeRenderer renderer;
+  try {
+    run(job, scene, renderer);
+  } catch (const Error& error) {
+    EXPECT_TRUE(renderer.rendered.empty()) << "something was rendered before: " << error.what();
+    return error.kind();
+  }
+  ADD_FAILURE() << "the job ran";
+  return ErrorKind::internal;
+}
+
+TEST(RenderJob, WritesEveryFrameAndAnswersInAscendingOrder) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  const JobResult result = run(job_of(folder / "a.####.exr", {5, 2, 9, -3}), empty_scene(), renderer);
+  EXPECT_FALSE(result.interrupted);
+  EXPECT_EQ(frames_of(result, Status::rendered), (std::vector<std::int64_t>{-3, 2, 5, 9}));
+  EXPECT_EQ(renderer.rendered, (std::vector<std::int64_t>{5, 2, 9, -3}));
+  for (const FrameResult& frame : result.frames) expect_whole(frame);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.-0003.exr", "a.0002.exr", "a.0005.exr", "a.0009.exr"}));
+}
+
+TEST(RenderJob, FramesCarryNumberRateAndFingerprint) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  Scene scene = empty_scene();
+  scene.timeline.time = {24000, 1001};
+  const RenderJob job = job_of(folder / "a.##.exr", {4, 5});
+  run(job, scene, renderer);
+  const FrameAttributes attributes = read_exr(folder / "a.05.exr").attributes;
+  EXPECT_EQ(attributes.frame, 5);
+  EXPECT_EQ(attributes.fps_numerator, 24000);
+  EXPECT_EQ(attributes.fps_denominator, 1001);
+  EXPECT_EQ(attributes.fingerprint, job.fingerprint);
+}
+
+TEST(RenderJob, NoFramesAreNoWork) {
+  FakeRenderer renderer;
+  EXPECT_TRUE(run(job_of("/proc/nope/a.exr", {}), empty_scene(), renderer).frames.empty());
+}
+
+TEST(RenderJob, SingleFrameNeedsNoNumber) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  RenderJob job = job_of(folder / "still.exr", {42});
+  job.threads = 1;
+  expect_whole(run(job, empty_scene(), renderer).frames.at(0));
+  EXPECT_EQ(folder.names(), std::set<std::string>{"still.exr"});
+}
+
+TEST(RenderJob, BytesDependOnNeitherThreadsNorFramesInFlight) {
+  const TemporaryFolder folder;
+  const auto bytes = [&](const std::string& name, int threads, int in_flight) {
+    FakeRenderer renderer;
+    RenderJob job = job_of(folder / (name + ".##.exr"), range(0, 7));
+    job.threads = threads;
+    job.frames_in_flight = in_flight;
+    std::vector<char> all;
+    for (const FrameResult& frame : run(job, empty_scene(), renderer).frames) {
+      const std::vector<char> file = bytes_of(frame.path);
+      all.insert(all.end(), file.begin(), file.end());
+    }
+    return all;
+  };
+  const std::vector<char> first = bytes("a", 1, 1);
+  EXPECT_EQ(bytes("b", 3, 2), first);
+  EXPECT_EQ(bytes("c", 4, 0), first);
+}
+
+TEST(RenderJob, FramesInMemoryAreBounded) {
+  for (const auto& [threads, in_flight, most] : {std::tuple{4, 1, 1u}, {4, 3, 3u}, {1, 2, 2u}, {3, 0, 4u}}) {
+    const TemporaryFolder folder;
+    FakeRenderer renderer;
+    std::atomic<int> drawn{0}, written{0}, most_at_once{0};
+    renderer.before_draw = [&](std::int64_t) { most_at_once = std::max<int>(most_at_once, ++drawn - written); };
+    RenderJob job = job_of(folder / "a.##.exr", range(0, 30));
+    job.threads = threads;
+    job.frames_in_flight = in_flight;
+    job.on_frame = [&](const FrameResult&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the renderer is faster and has to wait
+      ++written;
+    };
+    run(job, empty_scene(), renderer);
+    EXPECT_LE(renderer.buffers.size(), most) << threads << " threads, " << in_flight << " in flight";
+    EXPECT_LE(most_at_once, static_cast<int>(most)) << threads << " threads, " << in_flight << " in flight";
+    EXPECT_EQ(written, 31);
+  }
+}
+
+TEST(RenderJob, NextFrameIsDrawnWhileTheLastIsWritten) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool second_started = false, overlapped = false;
+  renderer.before_draw = [&](std::int64_t frame) {
+    const std::lock_guard lock(mutex);
+    if (frame == 1) second_started = true;
+    changed.notify_all();
+  };
+  RenderJob job = job_of(folder / "a.##.exr", {0, 1});
+  job.threads = 1;
+  job.frames_in_flight = 2;
+  job.on_frame = [&](const FrameResult& result) {
+    if (result.frame != 0) return;
+    std::unique_lock lock(mutex);
+    overlapped = changed.wait_for(lock, std::chrono::seconds(20), [&] { return second_started; });
+  };
+  run(job, empty_scene(), renderer);
+  EXPECT_TRUE(overlapped);
+}
+
+TEST(RenderJob, ReportsEveryFrameOnceFromOneThreadAtATime) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  std::multiset<std::int64_t> reported;
+  std::atomic<int> inside{0};
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 20));
+  job.threads = 4;
+  job.on_frame = [&](const FrameResult& result) {
+    EXPECT_EQ(++inside, 1);
+    EXPECT_TRUE(std::filesystem::exists(result.path)) << "reported before it stood";
+    reported.insert(result.frame);
+    --inside;
+  };
+  run(job, empty_scene(), renderer);
+  const std::vector<std::int64_t> frames = range(0, 20);
+  EXPECT_EQ(reported, std::multiset<std::int64_t>(frames.begin(), frames.end()));
+}
+
+TEST(RenderJob, ResumeRendersExactlyWhatIsMissingOrDamaged) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 9));
+  FakeRenderer first;
+  const JobResult before = run(job, empty_scene(), first);
+
+  std::filesystem::remove(folder / "a.02.exr");
+  std::vector<char> bytes = bytes_of(folder / "a.04.exr");
+  image_test::write_bytes(folder / "a.04.exr", {bytes.begin(), bytes.begin() + bytes.size() * 6 / 10});
+  bytes = bytes_of(folder / "a.05.exr");
+  bytes[bytes.size() - 40] = static_cast<char>(bytes[bytes.size() - 40] ^ 4);
+  image_test::write_bytes(folder / "a.05.exr", bytes);
+  image_test::write_bytes(folder / "a.07.exr", {});
+
+  job.resume = true;
+  FakeRenderer second;
+  const JobResult after = run(job, empty_scene(), second);
+  EXPECT_EQ(second.rendered, (std::vector<std::int64_t>{2, 4, 5, 7}));
+  EXPECT_EQ(frames_of(after, Status::rendered), second.rendered);
+  EXPECT_EQ(frames_of(after, Status::kept), (std::vector<std::int64_t>{0, 1, 3, 6, 8, 9}));
+  ASSERT_EQ(after.frames.size(), before.frames.size());
+  for (std::size_t i = 0; i < after.frames.size(); ++i) {
+    EXPECT_EQ(after.frames[i].hash, before.frames[i].hash);
+    expect_whole(after.frames[i]);
+  }
+}
+
+TEST(RenderJob, ResumeKeepsNothingOfAnotherJob) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 3));
+  FakeRenderer first, second;
+  run(job, empty_scene(), first);
+  job.resume = true;
+  job.fingerprint = "another";
+  run(job, empty_scene(), second);
+  EXPECT_EQ(second.rendered, range(0, 3));
+}
+
+TEST(RenderJob, WithoutResumeEverythingIsRenderedAgain) {
+  const TemporaryFolder folder;
+  const RenderJob job = job_of(folder / "a.##.exr", range(0, 3));
+  FakeRenderer first, second;
+  run(job, empty_scene(), first);
+  run(job, empty_scene(), second);
+  EXPECT_EQ(second.rendered, range(0, 3));
+}
+
+TEST(RenderJob, VerifiedFramesAreWhole) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 3));
+  job.verify = true;
+  for (const char* compression : {"rle", "dwaa"}) {
+    Scene scene = empty_scene();
+    scene.image.compression = compression;
+    EXPECT_EQ(frames_of(run(job, scene, renderer), Status::rendered), range(0, 3)) << compression;
+  }
+}
+
+TEST(RenderJob, FailingFramesDoNotStopTheOthers) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  renderer.before_draw = [](std::int64_t frame) {
+    if (frame == 2) throw Error(ErrorKind::no_device, "", "the device is gone");
+    if (frame == 4) throw std::runtime_error("a defect\nin two lines");
+  };
+  const JobResult result = run(job_of(folder / "a.##.exr", range(0, 5)), empty_scene(), renderer);
+  EXPECT_EQ(frames_of(result, Status::failed), (std::vector<std::int64_t>{2, 4}));
+  EXPECT_EQ(frames_of(result, Status::rendered), (std::vector<std::int64_t>{0, 1, 3, 5}));
+  EXPECT_EQ(result.frames[2].error, "frame 2: the device is gone");
+  EXPECT_EQ(result.frames[2].error_code, 69);
+  EXPECT_EQ(result.frames[4].error, "frame 4: a defect in two lines");
+  EXPECT_EQ(result.frames[4].error_code, 70);
+  EXPECT_FALSE(result.interrupted);
+  EXPECT_EQ(folder.names().size(), 4u);
+}
+
+TEST(RenderJob, FailedWritesAreFailedFrames) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit limit = before;
+  limit.rlim_cur = 500;  // bytes: less than a header
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &limit);
+  const JobResult result = run(job_of(folder / "a.##.exr", range(0, 3)), empty_scene(), renderer);
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+  EXPECT_EQ(frames_of(result, Status::failed), range(0, 3));
+  for (const FrameResult& frame : result.frames) EXPECT_EQ(frame.error_code, 74) << frame.error;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderJob, StopFinishesWhatWasDrawn) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  std::atomic<bool> stop{false};
+  renderer.before_draw = [&](std::int64_t frame) { stop = frame == 3; };
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 50));
+  job.stop = &stop;
+  const JobResult result = run(job, empty_scene(), renderer);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(frames_of(result, Status::rendered), range(0, 3));
+  for (const FrameResult& frame : result.frames) expect_whole(frame);
+  EXPECT_EQ(folder.names().size(), 4u);
+}
+
+TEST(RenderJob, StopBeforeTheFirstFrameReachesNone) {
+  const TemporaryFolder folder;
+  for (const bool resume : {false, true}) {
+    FakeRenderer renderer;
+    const std::atomic<bool> stop{true};
+    RenderJob job = job_of(folder / "a.##.exr", range(0, 5));
+    job.stop = &stop;
+    job.resume = resume;
+    const JobResult result = run(job, empty_scene(), renderer);
+    EXPECT_TRUE(result.interrupted && result.frames.empty() && renderer.rendered.empty());
+  }
+}
+
+TEST(RenderJob, StopDuringTheLastFrameInterruptsNothing) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  std::atomic<bool> stop{false};
+  renderer.before_draw = [&](std::int64_t frame) { stop = frame == 5; };
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 5));
+  job.stop = &stop;
+  const JobResult result = run(job, empty_scene(), renderer);
+  EXPECT_FALSE(result.interrupted);
+  EXPECT_EQ(result.frames.size(), 6u);
+}
+
+TEST(RenderJob, WhatTheReportThrowsComesOut) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 200));
+  job.on_frame = [](const FrameResult& result) {
+    if (result.frame == 1) throw std::domain_error("stop it");
+  };
+  EXPECT_THROW(run(job, empty_scene(), renderer), std::domain_error);
+  EXPECT_LT(renderer.rendered.size(), 201u);
+  job.resume = true;
+  job.frames = range(0, 1);
+  EXPECT_THROW(run(job, empty_scene(), renderer), std::domain_error) << "from a kept frame";
+}
+
+TEST(RenderJob, WrongSettingsAreFoundBeforeAnythingIsRendered) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(kind_of_failure(job_of(folder / "a.exr", range(0, 1))), ErrorKind::usage) << "no number";
+  EXPECT_EQ(kind_of_failure(job_of(folder / "a.##.##.exr", {1})), ErrorKind::usage) << "two numbers";
+  Scene scene = empty_scene();
+  scene.image.compression = "jpeg";
+  EXPECT_EQ(kind_of_failure(job_of(folder / "a.##.exr", {1}), scene), ErrorKind::usage);
+  scene = empty_scene();
+  scene.image.color = false;
+  RenderJob job = job_of(folder / "a.##.exr", {1});
+  job.preview = true;
+  EXPECT_EQ(kind_of_failure(job, scene), ErrorKind::usage) << "a picture without colour";
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderJob, OutputThatCannotBeCreatedIsFoundBeforeAnythingIsRendered) {
+  const TemporaryFolder folder;
+  image_test::write_bytes(folder / "file", {'x'});
+  EXPECT_EQ(kind_of_failure(job_of(folder / "file/a.##.exr", range(0, 3))), ErrorKind::cannot_create);
+  EXPECT_EQ(kind_of_failure(job_of("/proc/nope/a.##.exr", range(0, 3))), ErrorKind::cannot_create);
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 3));
+  job.contact_sheet = folder / "file/sheet.png";
+  EXPECT_EQ(kind_of_failure(job), ErrorKind::cannot_create);
+}
+
+TEST(RenderJob, PicturesShowRenderedAndKeptFramesAlike) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 5));
+  job.contact_sheet = folder / "sheet.png";
+  job.preview = true;
+  run(job, empty_scene(), renderer);
+  std::set<std::string> names{"sheet.png"};
+  for (int frame = 0; frame <= 5; ++frame)
+    for (const char* end : {".exr", ".png"}) names.insert("a.0" + std::to_string(frame) + end);
+  EXPECT_EQ(folder.names(), names);
+  const std::vector<char> sheet = bytes_of(folder / "sheet.png"), preview = bytes_of(folder / "a.03.png");
+
+  for (const char* name : {"sheet.png", "a.03.png", "a.04.exr"}) std::filesystem::remove(folder / name);
+  job.resume = true;
+  const JobResult result = run(job, empty_scene(), renderer);
+  EXPECT_EQ(frames_of(result, Status::rendered), std::vector<std::int64_t>{4});
+  EXPECT_EQ(bytes_of(folder / "sheet.png"), sheet);
+  EXPECT_EQ(bytes_of(folder / "a.03.png"), preview);
+}
+
+}  // namespace
+}  // namespace morphcl
