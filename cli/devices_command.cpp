@@ -15,7 +15,10 @@ namespace {
 // "identical", "tolerant: ...", or "unusable: ..." when the device cannot be opened at all.
 std::string verdict_text(const DeviceInfo& device, int threads) {
   try {
-    const auto session = Session::open({.device = std::to_string(device.index), .threads = threads, .cache_dir = ""});
+    SessionOptions options;
+    options.device = std::to_string(device.index);
+    options.threads = threads;
+    const auto session = Session::open(options);
     session->store_programs();
     if (session->verdict() == Verdict::identical) return "identical";
     return "tolerant: " + session->verdict_detail();

@@ -14,7 +14,10 @@ OpenedRenderer open_renderer(const DeviceOptions& options) {
     return opened;
   }
   opened.threads = prepare_process(options.threads);
-  opened.session = Session::open({.device = options.device, .threads = opened.threads, .cache_dir = ""});
+  SessionOptions session;
+  session.device = options.device;
+  session.threads = opened.threads;
+  opened.session = Session::open(session);
   opened.renderer = make_device_renderer(opened.session);
   opened.device_name = opened.session->info().name;
   return opened;

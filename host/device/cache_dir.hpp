@@ -11,9 +11,10 @@ namespace morphcl {
 // may be "-" too. The folder need not exist.
 std::optional<std::filesystem::path> choose_cache_dir(const std::string& option);
 
-// Gives PoCL a folder for its own cache, unless POCL_CACHE_DIR is set: `cache_dir`/pocl, or, where that cannot be
-// written (PoCL then finds no device at all), a fresh temporary folder that the process removes when it exits. Must run
-// before the first OpenCL call; only the first call has an effect.
+// Gives PoCL a folder for its own cache that lives as long as the process, unless POCL_CACHE_DIR is set. PoCL aborts
+// the process over a damaged file in it, and a killed process leaves such files; what is worth keeping is in our own
+// cache, with checksums. The folder is a temporary one, else one below `cache_dir`. Must run before the first OpenCL
+// call; only the first call has an effect.
 void place_pocl_cache(const std::optional<std::filesystem::path>& cache_dir);
 
 }  // namespace morphcl

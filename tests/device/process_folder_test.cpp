@@ -1,0 +1,83 @@
+#include "host/device/process_folder.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "tests/device/temporary_folder.hpp"
+
+namespace morphcl::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ProcessFolder, IsFreshAndForThisUserOnly) {
+  const TemporaryFolder parent;
+  const fs::path first = make_process_folder(parent.path(), "own"), second = make_process_folder(parent.path(), "own");
+  EXPECT_NE(first, second);
+  for (const fs::path& folder : {first, second}) {
+    EXPECT_TRUE(folder.filename().string().starts_with("own-"));
+    EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
+  }
+}
+
+TEST(ProcessFolder, GoesWithItsProcessButNotWithAForkedChild) {
+  const TemporaryFolder parent;
+  const pid_t owner = fork();
+  if (owner == 0) {
+    std::ofstream(make_process_folder(parent.path(), "own") / "file") << "content";
+    const pid_t child = fork();
+    if (child == 0) std::exit(0);
+    waitpid(child, nullptr, 0);
+    if (fs::is_empty(parent.path())) _exit(1);
+    std::exit(0);
+  }
+  int status = -1;
+  waitpid(owner, &status, 0);
+  EXPECT_EQ(status, 0) << "the child removed its parent's folder";
+  EXPECT_TRUE(fs::is_empty(parent.path()));
+}
+
+TEST(ProcessFolder, OfAKilledProcessIsRemovedByTheNext) {
+  const TemporaryFolder parent;
+  const pid_t owner = fork();
+  if (owner == 0) {
+    make_process_folder(parent.path(), "own");
+    _exit(0);  // as when it is killed: nothing is cleaned up
+  }
+  waitpid(owner, nullptr, 0);
+  ASSERT_FALSE(fs::is_empty(parent.path()));
+  const fs::path next = make_process_folder(parent.path(), "own");
+  EXPECT_EQ(std::distance(fs::directory_iterator(parent.path()), fs::directory_iterator()), 1);
+  EXPECT_TRUE(fs::exists(next));
+}
+
+TEST(ProcessFolder, OfALivingProcessAndFoldersThatAreNotOursStay) {
+  const TemporaryFolder parent;
+  fs::create_directory(parent / "own-living");
+  const int living = open((parent / "own-living" / "owner").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(living, LOCK_EX | LOCK_NB), 0);
+  fs::create_directory(parent / "own-without-owner");
+  fs::create_directory(parent / "other-prefix");
+  std::ofstream(parent / "other-prefix" / "owner") << "";
+  fs::create_directory_symlink(parent / "other-prefix", parent / "own-link");
+  make_process_folder(parent.path(), "own");
+  for (const char* name : {"own-living", "own-without-owner", "other-prefix", "own-link"})
+    EXPECT_TRUE(fs::exists(parent / name)) << name;
+  close(living);
+  make_process_folder(parent.path(), "own");
+  EXPECT_FALSE(fs::exists(parent / "own-living"));
+}
+
+TEST(ProcessFolder, WhereNoneCanBeMadeIsEmpty) {
+  EXPECT_EQ(make_process_folder("/proc/none", "own"), fs::path());
+  EXPECT_EQ(make_process_folder("", "own"), fs::path());
+}
+
+}  // namespace
+}  // namespace morphcl::testing
