@@ -1,0 +1,61 @@
+// Models made by others, below the folder that MORPHCL_ASSETS names: every frame, device against reference.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "host/job/render_job.hpp"
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "host/scene/load_scene.hpp"
+#include "tests/device/temporary_folder.hpp"
+#include "tests/render/parity.hpp"
+#include "tests/render/shared_session.hpp"
+
+namespace morphcl::test {
+namespace {
+
+std::string asset(const std::string& name) { return std::string(std::getenv("MORPHCL_ASSETS")) + "/" + name; }
+
+void expect_parity_of_every_frame(const std::string& path) {
+  LoadOptions options;
+  options.allow_outside = true;
+  options.width = 240, options.height = 135;
+  const Scene scene = load_scene(path, options);
+  const Planner planner(scene);
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (const std::int64_t frame : frame_numbers(scene.frames)) {
+    const FramePlan plan = planner.plan(frame);
+    FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth), actual(plan.width, plan.height, plan.color, plan.depth);
+    reference->render(plan, expected);
+    device->render(plan, actual);
+    ASSERT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
+    EXPECT_GT(covered_pixels(expected), 500u) << "frame " << frame;
+  }
+}
+
+class Model : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Model, EveryFrameHasTheReferencesBits) { expect_parity_of_every_frame(asset(GetParam())); }
+
+INSTANTIATE_TEST_SUITE_P(
+    AssetParity, Model,
+    ::testing::Values("gltf/AnimatedMorphCube/glTF/AnimatedMorphCube.gltf",
+                      "gltf/AnimatedMorphSphere/glTF/AnimatedMorphSphere.gltf", "gltf/SimpleMorph/glTF/SimpleMorph.gltf",
+                      "gltf/sparse_morph/singleBlendshapeCube_sparse.glb",
+                      "gltf/asset_generator/Node_NegativeScale/Node_NegativeScale_01.gltf",
+                      "gltf/asset_generator/Mesh_PrimitiveVertexColor/Mesh_PrimitiveVertexColor_00.gltf", "obj/spot.obj"));
+
+TEST(AssetParity, AFaceWithTwoTargets) {
+  const testing::TemporaryFolder folder;
+  const std::string shot = (folder / "face.toml").string();
+  std::ofstream(shot) << "[frames]\nrange = \"0-10\"\n[[object]]\nname = \"face\"\nmesh = \"" << asset("obj_face/generic_neutral_mesh.obj")
+                      << "\"\ntargets = [\"" << asset("obj_face/jawOpen.obj") << "\", \"" << asset("obj_face/browInnerUp_L.obj")
+                      << "\"]\n[[object.track]]\ntarget = \"morph.jawOpen\"\nkeys = [[0, 0.0], [10, 1.0]]\n"
+                      << "[[object.track]]\ntarget = \"morph.browInnerUp_L\"\nkeys = [[0, 1.0], [10, 0.0]]\n";
+  expect_parity_of_every_frame(shot);
+}
+
+}  // namespace
+}  // namespace morphcl::test
