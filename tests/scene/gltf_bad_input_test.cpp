@@ -171,13 +171,13 @@ TEST_F(GltfBadInput, NodeThatIsItsOwnChild) {
   expect_bad(file, "nodes[0]", "hierarchy has no cycle");
 }
 
-TEST_F(GltfBadInput, HierarchyOfAMillionNodesIsNoCrash) {
-  constexpr int depth = 1'000'000;
+TEST_F(GltfBadInput, HierarchyOfTwoHundredThousandNodesIsNoCrash) {
+  constexpr int depth = 200'000;
   std::string text = R"({"asset":{"version":"2.0"},"nodes":[)";
   for (int i = 0; i + 1 < depth; ++i) text += "{\"children\":[" + std::to_string(i + 1) + "]},";
   const std::string open = folder.write("deep.gltf", text + "{}]}");
   EXPECT_EQ(import_gltf(open, TimeBase{}).nodes.size(), std::size_t{depth});
-  expect_bad_bytes("cycle.gltf", text + "{\"children\":[0]}]}", ": nodes[0]", "1000000 nodes are each other's parents");
+  expect_bad_bytes("cycle.gltf", text + "{\"children\":[0]}]}", ": nodes[0]", "200000 nodes are each other's parents");
 }
 
 TEST_F(GltfBadInput, DeeplyNestedExtrasAreNoCrash) {

@@ -67,7 +67,7 @@ TEST(ObjNumber, IsRoundedToTheNearestFloat) {
       if (d == point) text += '.';
       text += static_cast<char>('0' + random() % 10);
     }
-    if (random() % 2) text += "e" + std::to_string(static_cast<int>(random() % 50) - 35);
+    if (random() % 2) text.append("e").append(std::to_string(static_cast<int>(random() % 50) - 35));
     expect_nearest(text);
   }
 }
@@ -84,11 +84,11 @@ TEST(ObjNumber, SmallestAndLargest) {
   EXPECT_EQ(parse_float("1e-45"), std::numeric_limits<float>::denorm_min());
   EXPECT_EQ(parse_float("1e-46"), 0.0f);
   EXPECT_TRUE(std::signbit(*parse_float("-1e-400")));
-  EXPECT_EQ(parse_float("0." + std::string(500, '0') + "1"), 0.0f);
+  EXPECT_EQ(parse_float(std::string("0.").append(500, '0').append("1")), 0.0f);
   EXPECT_EQ(parse_float("1e-99999999999999999999"), 0.0f);
   EXPECT_EQ(parse_float("3.4028235e38"), std::numeric_limits<float>::max());
   EXPECT_FALSE(parse_float("3.5e38"));
-  EXPECT_FALSE(parse_float("1" + std::string(500, '0')));
+  EXPECT_FALSE(parse_float(std::string("1").append(500, '0')));
   EXPECT_FALSE(parse_float("1e99999999999999999999"));
   EXPECT_FALSE(parse_float("-1e39"));
 }
