@@ -68,45 +68,50 @@ ProgramCache::ProgramCache(const std::optional<std::filesystem::path>& cache_dir
       binaries_(subfolder(cache_dir, "programs"), "clbin"),
       verdicts_(subfolder(cache_dir, "programs"), "verdict") {}
 
-CacheKey ProgramCache::key(const std::string& source, const std::string& options) const {
+CacheKey ProgramCache::key(const std::string& source, const std::string& options, const std::string& name) const {
   std::vector<std::string> parts = compiler_identity_;
-  parts.push_back(options);
-  parts.push_back(source);
+  parts.insert(parts.end(), {options, source, name});
   return cache_key(parts);
 }
 
 std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const std::string& source,
-                                              const std::string& options) const {
-  auto binary = binaries_.load(key(source, options));
+                                              const std::string& options, const std::string& kernel) {
+  auto binary = binaries_.load(key(source, options, kernel));
   if (!binary) return std::nullopt;
+  const std::string identity = cache_key(std::array{std::string(binary->begin(), binary->end())}).hex();
+  if (const auto loaded = loaded_.find(identity); loaded != loaded_.end()) return loaded->second;
   try {
     cl::Program program(context, context.getInfo<CL_CONTEXT_DEVICES>(), cl::Program::Binaries{std::move(*binary)});
     program.build(options.c_str());
-    return program;
+    return loaded_[identity] = program;
   } catch (const cl::Error&) {
     return std::nullopt;
   }
 }
 
-bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options) const {
+bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options,
+                         const std::set<std::string>& kernels) const {
   // Not asked in vain: PoCL compiles all kernels once more for a binary.
-  if (!binaries_.has_folder()) return false;
+  if (!binaries_.has_folder() || kernels.empty()) return false;
   try {
     const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
-    return binaries.size() == 1 && !binaries.front().empty() && binaries_.store(key(source, options), binaries.front());
+    if (binaries.size() != 1 || binaries.front().empty()) return false;
+    return std::all_of(kernels.begin(), kernels.end(), [&](const std::string& kernel) {
+      return binaries_.store(key(source, options, kernel), binaries.front());
+    });
   } catch (const cl::Error&) {
     return false;
   }
 }
 
 bool ProgramCache::is_known_identical(const std::string& self_test_source, const std::string& options) const {
-  const auto content = verdicts_.load(key(self_test_source, options));
+  const auto content = verdicts_.load(key(self_test_source, options, "verdict"));
   const auto expected = bytes_of(verdict_identical);
   return content && std::equal(content->begin(), content->end(), expected.begin(), expected.end());
 }
 
 void ProgramCache::remember_identical(const std::string& self_test_source, const std::string& options) const {
-  verdicts_.store(key(self_test_source, options), bytes_of(verdict_identical));
+  verdicts_.store(key(self_test_source, options, "verdict"), bytes_of(verdict_identical));
 }
 
 }  // namespace morphcl

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,13 +22,16 @@ class ProgramCache {
  public:
   ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> compiler_identity);
 
-  // A program built from the cached binary, or nothing if there is none or the driver does not take it.
-  std::optional<cl::Program> load(const cl::Context& context, const std::string& source,
-                                  const std::string& options) const;
+  // A program built from a binary in which `kernel` is ready to run, or nothing if there is none or the driver does not
+  // take it. Kernels that were stored together get the same program. Not for two threads at a time.
+  std::optional<cl::Program> load(const cl::Context& context, const std::string& source, const std::string& options,
+                                  const std::string& kernel);
 
-  // Call after the program's kernels have run: PoCL's binaries hold the work-group functions that were compiled so far.
-  // False if the driver gives no binary or the folder does not take it.
-  bool store(const cl::Program& program, const std::string& source, const std::string& options) const;
+  // Stores the binary for each of `kernels`, which must have run: PoCL's binaries hold the work-group functions
+  // compiled so far, and a kernel without one would be compiled again by every process that loads the binary. False if
+  // there are none, the driver gives no binary, or the folder does not take it.
+  bool store(const cl::Program& program, const std::string& source, const std::string& options,
+             const std::set<std::string>& kernels) const;
 
   // Whether the self-test is known to pass for this program. Only passing is remembered. The key names the compiler,
   // the processor and the test, and what it vouches for is the same as what the cached binaries were made by: a
@@ -35,10 +40,11 @@ class ProgramCache {
   void remember_identical(const std::string& self_test_source, const std::string& options) const;
 
  private:
-  CacheKey key(const std::string& source, const std::string& options) const;
+  CacheKey key(const std::string& source, const std::string& options, const std::string& name) const;
 
   std::vector<std::string> compiler_identity_;
   DiskCache binaries_, verdicts_;
+  std::map<std::string, cl::Program> loaded_;  // by the binary's hash
 };
 
 }  // namespace morphcl

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "host/device/build_options.hpp"
@@ -24,9 +25,9 @@ namespace {
 
 constexpr const char* self_test_stage = "self_test";
 
-struct BuiltProgram {
+struct SourceProgram {
   cl::Program program;
-  bool store;  // built from source and not in the cache yet
+  std::set<std::string> unstored;  // kernels in use that the cache does not have yet
 };
 
 const std::string& embedded_source(const std::string& stage) {
@@ -68,7 +69,8 @@ struct Session::Impl {
   SelfTestResult self_test;
 
   std::mutex programs_mutex;
-  std::map<std::string, BuiltProgram> programs;
+  std::map<std::pair<std::string, std::string>, cl::Program> programs;  // by stage and kernel
+  std::map<std::string, SourceProgram> source_programs;                 // by stage
 
   void open(const FoundDevice& chosen, const SessionOptions& options) {
     info = chosen.info;
@@ -84,33 +86,35 @@ struct Session::Impl {
     return edit_source ? edit_source(source) : source;
   }
 
-  const cl::Program& program(const std::string& stage) {
+  // The program to take this kernel from. A cached binary counts only for the kernels that had run when it was made
+  // (see ProgramCache); all others come from one program built from source.
+  cl::Program program(const std::string& stage, const std::string& kernel) {
     const std::lock_guard lock(programs_mutex);
-    const auto built = programs.find(stage);
-    if (built != programs.end()) return built->second.program;
+    cl::Program& program = programs[{stage, kernel}];
+    if (program()) return program;
     const std::string source = source_of(stage);
-    auto cached = cache->load(context, source, build_options);
-    const bool store = !cached;
-    if (!cached) cached = build_from_source(context, stage, source, build_options);
-    return programs.emplace(stage, BuiltProgram{*cached, store}).first->second.program;
+    if (auto cached = cache->load(context, source, build_options, kernel)) return program = *cached;
+    SourceProgram& built = source_programs[stage];
+    if (!built.program()) built.program = build_from_source(context, stage, source, build_options);
+    built.unstored.insert(kernel);
+    return program = built.program;
   }
 
-  // Each program once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
+  // Each kernel once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
   // which takes PoCL as long as compiling did.
-  std::map<std::string, cl::Program> take_unstored() {
+  std::map<std::string, SourceProgram> take_unstored() {
     const std::lock_guard lock(programs_mutex);
-    std::map<std::string, cl::Program> unstored;
-    for (auto& [stage, built] : programs)
-      if (std::exchange(built.store, false)) unstored.emplace(stage, built.program);
-    return unstored;
+    const std::map<std::string, SourceProgram> taken = source_programs;
+    for (auto& [stage, built] : source_programs) built.unstored.clear();
+    return taken;
   }
 
   void run_self_test() {
     const std::string source = source_of(self_test_stage);
     if (cache->is_known_identical(source, build_options)) return;
-    const cl::Program& tests = program(self_test_stage);
-    self_test = morphcl::run_self_test(context, queue, cl::Kernel(tests, "self_test_scalar"),
-                                       cl::Kernel(tests, "self_test_vector"));
+    const auto test_kernel = [&](const char* name) { return cl::Kernel(program(self_test_stage, name), name); };
+    self_test =
+        morphcl::run_self_test(context, queue, test_kernel("self_test_scalar"), test_kernel("self_test_vector"));
     if (self_test.verdict == Verdict::identical) cache->remember_identical(source, build_options);
   }
 };
@@ -138,13 +142,13 @@ const cl::CommandQueue& Session::queue() const { return impl_->queue; }
 
 cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_name) {
   return checked(fmt::format("kernel {} of kernels/{}.cl", kernel_name, stage),
-                 [&] { return cl::Kernel(impl_->program(stage), kernel_name.c_str()); });
+                 [&] { return cl::Kernel(impl_->program(stage, kernel_name), kernel_name.c_str()); });
 }
 
 void Session::store_programs() {
   try {
-    for (const auto& [stage, program] : impl_->take_unstored())
-      impl_->cache->store(program, impl_->source_of(stage), impl_->build_options);
+    for (const auto& [stage, built] : impl_->take_unstored())
+      impl_->cache->store(built.program, impl_->source_of(stage), impl_->build_options, built.unstored);
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }

@@ -55,10 +55,11 @@ class Session {
   // not share arguments. Errors name the stage and hold the first line of the build log.
   cl::Kernel kernel(const std::string& stage, const std::string& kernel_name);
 
-  // Stores the binaries of programs that were built from source, now that their work-group functions exist. Called once
-  // after a frame was rendered; cheap when there is nothing to store. Else PoCL takes about as long as it took to
-  // compile: call it after the first frame is written, or from a thread of its own, as kernels may be used meanwhile.
-  // Never throws: an unwritable cache is no error.
+  // Stores the binaries of programs that were built from source, for the kernels taken from them so far. These must
+  // have run by now: binaries hold work-group functions. Call it after the first frame is written, or from a thread of
+  // its own, as kernels may be used meanwhile: PoCL takes about as long as it took to compile. Call it again at the
+  // end, for kernels that later frames brought in; it is cheap when there is nothing to store. Never throws: an
+  // unwritable cache is no error.
   void store_programs();
 
  private:

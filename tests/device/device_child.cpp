@@ -2,6 +2,7 @@
 //
 //   device_child info [DEVICE [THREADS]]     threads, compute_units, name, verdict
 //   device_child transform COUNT...          hash of all batch transforms of COUNT points each; fills the cache
+//   device_child points COUNT...             the same of transform_points alone
 //   device_child stray_write                 a kernel that writes outside its buffer, for checkers that should see it
 // An Error is printed as "error MESSAGE" and its exit code is the process's.
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ Arrays input(std::size_t count) {
   return points;
 }
 
-void print_transform_hash(const std::vector<std::size_t>& counts) {
+void print_transform_hash(const std::vector<std::size_t>& counts, bool only_points) {
   const auto session = Session::open({});
   const AffineRows rows{{-0.71f, 0.37f, 1.93f, 3.3f}, {0.11f, -2.9f, 0.83f, -7.1f}, {0.57f, 0.61f, 0.13f, 100.7f}};
   const ProjectiveRows projection{rows.x, rows.y, rows.z, {0, 0, -1, 0.5f}};
@@ -61,6 +62,7 @@ void print_transform_hash(const std::vector<std::size_t>& counts) {
     };
     transform_points(*session, rows, in.arrays(), out.arrays());
     add();
+    if (only_points) continue;
     transform_vectors(*session, rows, in.arrays(), out.arrays());
     add();
     transform_normals(*session, rows, in.arrays(), out.arrays());
@@ -91,10 +93,10 @@ int main(int count, char** values) {
     if (arguments.empty()) return 2;
     if (arguments[0] == "info") {
       print_info(arguments.size() > 1 ? arguments[1] : "", arguments.size() > 2 ? std::stoi(arguments[2]) : 0);
-    } else if (arguments[0] == "transform") {
+    } else if (arguments[0] == "transform" || arguments[0] == "points") {
       std::vector<std::size_t> counts;
       for (std::size_t i = 1; i < arguments.size(); ++i) counts.push_back(std::stoul(arguments[i]));
-      print_transform_hash(counts);
+      print_transform_hash(counts, arguments[0] == "points");
     } else if (arguments[0] == "stray_write") {
       write_outside();
     } else {
