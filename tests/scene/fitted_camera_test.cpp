@@ -85,16 +85,20 @@ TEST(FittedCamera, LooksFromTheSameSideWhateverTheSizeAndPlace) {
 
 TEST(FittedCamera, LooksAtAPointFromADistance) {
   const ShotFolder folder;
-  folder.write("point.obj", "v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n");
-  const Scene scene = load_scene(folder.path("point.obj"));
-  const FrameState state = evaluate(scene.timeline, 0);
-  const glm::dvec4 point = state.camera.world_to_eye * glm::dvec4(5, 5, 5, 1);
-  const auto& perspective = std::get<Perspective>(state.camera.projection);
-  const double widening = 2 * std::ldexp(1.0, -23) * 5 * std::sqrt(3.0);  // of the bounds of one vertex at (5, 5, 5)
-  EXPECT_NEAR(point.x, 0, widening);
-  EXPECT_NEAR(point.y, 0, widening);
-  EXPECT_GT(-point.z, perspective.near);
-  EXPECT_LT(-point.z, perspective.far);
+  for (const int at : {0, 5}) {
+    const std::string vertex = "v " + std::to_string(at) + " " + std::to_string(at) + " " + std::to_string(at) + "\n";
+    folder.write("point.obj", vertex + vertex + vertex + "f 1 2 3\n");
+    const Scene scene = load_scene(folder.path("point.obj"));
+    const FrameState state = evaluate(scene.timeline, 0);
+    const glm::dvec4 point = state.camera.world_to_eye * glm::dvec4(at, at, at, 1);
+    const auto& perspective = std::get<Perspective>(state.camera.projection);
+    // The bounds of one vertex are widened by two ulp of it; 16 u of the distance, which is about 2, for the camera.
+    const double widening = 2 * std::ldexp(1.0, -23) * at * std::sqrt(3.0) + 32 * std::ldexp(1.0, -53);
+    EXPECT_NEAR(point.x, 0, widening) << "point at " << at;
+    EXPECT_NEAR(point.y, 0, widening) << "point at " << at;
+    EXPECT_GT(-point.z, perspective.near) << "point at " << at;
+    EXPECT_LT(-point.z, perspective.far) << "point at " << at;
+  }
 }
 
 TEST(FittedCamera, LeavesOutWhatIsHidden) {
