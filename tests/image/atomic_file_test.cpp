@@ -84,11 +84,12 @@ TEST(AtomicFile, FolderInProcCannotBeCreated) {
   EXPECT_EQ(kind_of_failure([&] { write_file_atomically(path, some_bytes); }, path), ErrorKind::cannot_create);
 }
 
-TEST(AtomicFile, DevicesPipesAndFoldersAreNotReplaced) {
+// Pipes stand for devices here: a test that fails must not replace one.
+TEST(AtomicFile, PipesAndFoldersAreNotReplaced) {
   const TemporaryFolder folder;
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::filesystem::create_directory(folder / "folder");
-  for (const std::string& path : {std::string("/dev/null"), folder / "pipe", folder / "folder"})
+  for (const std::string& path : {folder / "pipe", folder / "folder"})
     EXPECT_EQ(kind_of_failure([&] { write_file_atomically(path, some_bytes); }, path), ErrorKind::cannot_create);
   EXPECT_EQ(folder.names(), (std::set<std::string>{"pipe", "folder"}));
 }
