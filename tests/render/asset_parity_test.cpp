@@ -27,7 +27,8 @@ void expect_parity_of_every_frame(const std::string& path) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   for (const std::int64_t frame : frame_numbers(scene.frames)) {
     const FramePlan plan = planner.plan(frame);
-    FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth), actual(plan.width, plan.height, plan.color, plan.depth);
+    FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth),
+        actual(plan.width, plan.height, plan.color, plan.depth);
     reference->render(plan, expected);
     device->render(plan, actual);
     ASSERT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
@@ -42,16 +43,18 @@ TEST_P(Model, EveryFrameHasTheReferencesBits) { expect_parity_of_every_frame(ass
 INSTANTIATE_TEST_SUITE_P(
     AssetParity, Model,
     ::testing::Values("gltf/AnimatedMorphCube/glTF/AnimatedMorphCube.gltf",
-                      "gltf/AnimatedMorphSphere/glTF/AnimatedMorphSphere.gltf", "gltf/SimpleMorph/glTF/SimpleMorph.gltf",
-                      "gltf/sparse_morph/singleBlendshapeCube_sparse.glb",
+                      "gltf/AnimatedMorphSphere/glTF/AnimatedMorphSphere.gltf",
+                      "gltf/SimpleMorph/glTF/SimpleMorph.gltf", "gltf/sparse_morph/singleBlendshapeCube_sparse.glb",
                       "gltf/asset_generator/Node_NegativeScale/Node_NegativeScale_01.gltf",
-                      "gltf/asset_generator/Mesh_PrimitiveVertexColor/Mesh_PrimitiveVertexColor_00.gltf", "obj/spot.obj"));
+                      "gltf/asset_generator/Mesh_PrimitiveVertexColor/Mesh_PrimitiveVertexColor_00.gltf",
+                      "obj/spot.obj"));
 
 TEST(AssetParity, AFaceWithTwoTargets) {
   const testing::TemporaryFolder folder;
   const std::string shot = (folder / "face.toml").string();
-  std::ofstream(shot) << "[frames]\nrange = \"0-10\"\n[[object]]\nname = \"face\"\nmesh = \"" << asset("obj_face/generic_neutral_mesh.obj")
-                      << "\"\ntargets = [\"" << asset("obj_face/jawOpen.obj") << "\", \"" << asset("obj_face/browInnerUp_L.obj")
+  std::ofstream(shot) << "[frames]\nrange = \"0-10\"\n[[object]]\nname = \"face\"\nmesh = \""
+                      << asset("obj_face/generic_neutral_mesh.obj") << "\"\ntargets = [\""
+                      << asset("obj_face/jawOpen.obj") << "\", \"" << asset("obj_face/browInnerUp_L.obj")
                       << "\"]\n[[object.track]]\ntarget = \"morph.jawOpen\"\nkeys = [[0, 0.0], [10, 1.0]]\n"
                       << "[[object.track]]\ntarget = \"morph.browInnerUp_L\"\nkeys = [[0, 1.0], [10, 0.0]]\n";
   expect_parity_of_every_frame(shot);
