@@ -12,16 +12,16 @@ typedef struct {
 } Irradiance;
 
 // a b - c d within 1.5 ulp (Kahan): the rounding error of c d is computed by fma and put back.
-static inline float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
+ALWAYS_INLINE float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
   const float16 product = c * d;
   return fma(a, b, -product) + fma(-c, d, product);
 }
 
-static inline float16 dot_product(EyeVector a, EyeVector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+ALWAYS_INLINE float16 dot_product(EyeVector a, EyeVector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
 // ambient + sum of color * max(cos, 0) (/ distance^2 where the light falls off). The normal has any length; where it is
 // zero only the ambient light counts.
-static inline Irradiance irradiance(constant const FrameConstants* frame, global const LightConstants* lights,
+ALWAYS_INLINE Irradiance irradiance(constant const FrameConstants* frame, global const LightConstants* lights,
                                     EyeVector normal, EyeVector position) {
   const float16 length = sqrt(dot_product(normal, normal));
   const int16 has_normal = length > 0.0f;

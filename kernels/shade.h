@@ -33,11 +33,11 @@ typedef struct {
   float16 vertex[3];
 } Weights;
 
-static inline float16 eye_distance(constant const FrameConstants* frame, float16 depth) {
+ALWAYS_INLINE float16 eye_distance(constant const FrameConstants* frame, float16 depth) {
   return frame->parallel ? -depth : frame->near / depth;
 }
 
-static inline void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2, int16* f3) {
+ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2, int16* f3) {
   if (same) {
     const int4 record = records[index[0]];
     *f0 = record.x, *f1 = record.y, *f2 = record.z, *f3 = record.w;
@@ -47,7 +47,7 @@ static inline void fetch(global const int4* records, const uint* index, bool sam
 }
 
 // The slot of a clipped primitive; slots are sorted by the primitive's number.
-static inline uint slot_of(const Shader* s, uint number) {
+ALWAYS_INLINE uint slot_of(const Shader* s, uint number) {
   uint low = 0, high = s->clipped;
   while (low + 1 < high) {
     const uint middle = (low + high) / 2;
@@ -59,7 +59,7 @@ static inline uint slot_of(const Shader* s, uint number) {
   return low;
 }
 
-static inline Weights screen_weights(const Shader* s, Pixels p, uint corner[3][LANES]) {
+ALWAYS_INLINE Weights screen_weights(const Shader* s, Pixels p, uint corner[3][LANES]) {
   int16 x[3], y[3], unused, inverse_w[3];
   for (int i = 0; i < 3; i++) fetch(s->vertices, corner[i], p.same, &x[i], &y[i], &unused, &inverse_w[i]);
   const int16 px = (p.x + LANE) * SUBPIXELS + HALF_PIXEL, py = p.y * SUBPIXELS + HALF_PIXEL;
@@ -75,7 +75,7 @@ static inline Weights screen_weights(const Shader* s, Pixels p, uint corner[3][L
 }
 
 // Weights at cut corners become weights at the source triangle's vertices; slot is NO_ID in lanes that were not cut.
-static inline Weights source_weights(const Shader* s, Weights cut, const uint* slot, const uint* piece) {
+ALWAYS_INLINE Weights source_weights(const Shader* s, Weights cut, const uint* slot, const uint* piece) {
   float in[3][LANES], out[3][LANES];
   for (int i = 0; i < 3; i++) vstore16(cut.vertex[i], 0, in[i]), vstore16(cut.vertex[i], 0, out[i]);
   for (int lane = 0; lane < LANES; lane++) {
@@ -91,7 +91,7 @@ static inline Weights source_weights(const Shader* s, Weights cut, const uint* s
   return w;
 }
 
-static inline Weights vertex_weights(const Shader* s, Pixels p, const uint* id, uint vertex[3][LANES]) {
+ALWAYS_INLINE Weights vertex_weights(const Shader* s, Pixels p, const uint* id, uint vertex[3][LANES]) {
   uint corner[3][LANES], slot[LANES], piece[LANES];
   bool any_cut = false;
   const int lanes = p.same ? 1 : LANES;
@@ -110,7 +110,7 @@ static inline Weights vertex_weights(const Shader* s, Pixels p, const uint* id, 
   return source_weights(s, w, slot, piece);
 }
 
-static inline Irradiance interpolate(global const int4* records, uint vertex[3][LANES], bool same, Weights w) {
+ALWAYS_INLINE Irradiance interpolate(global const int4* records, uint vertex[3][LANES], bool same, Weights w) {
   int16 x[3], y[3], z[3], unused;
   for (int i = 0; i < 3; i++) fetch(records, vertex[i], same, &x[i], &y[i], &z[i], &unused);
   Irradiance sum;
@@ -120,7 +120,7 @@ static inline Irradiance interpolate(global const int4* records, uint vertex[3][
   return sum;
 }
 
-static inline Irradiance smooth_light(const Shader* s, global const DrawConstants* draw, Pixels p, uint vertex[3][LANES], Weights w) {
+ALWAYS_INLINE Irradiance smooth_light(const Shader* s, global const DrawConstants* draw, Pixels p, uint vertex[3][LANES], Weights w) {
   const Irradiance n = interpolate(s->attributes, vertex, p.same, w);
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   // The weights' sign goes, and on a double-sided draw the normal of a back face is turned round: both in one sign.
@@ -139,7 +139,7 @@ static inline Irradiance smooth_light(const Shader* s, global const DrawConstant
 }
 
 // The lanes' ids all belong to one draw.
-static inline Irradiance shade_draw(const Shader* s, global const DrawConstants* draw, Pixels p, const uint* id) {
+ALWAYS_INLINE Irradiance shade_draw(const Shader* s, global const DrawConstants* draw, Pixels p, const uint* id) {
   Irradiance color;
   color.r = draw->base_color[0], color.g = draw->base_color[1], color.b = draw->base_color[2];
   if (draw->flags & DRAW_FLAT) {
@@ -170,7 +170,7 @@ static inline Irradiance shade_draw(const Shader* s, global const DrawConstants*
   return color;
 }
 
-static inline Irradiance shade(const Shader* s, Pixels p) {
+ALWAYS_INLINE Irradiance shade(const Shader* s, Pixels p) {
   uint id[LANES];
   if (p.same) {
     id[0] = p.first_id;

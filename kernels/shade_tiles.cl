@@ -150,7 +150,7 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
 }
 
 static inline void store_half(float16 value, global half* out) {
-#ifdef MORPHCL_NONTEMPORAL
+#ifdef MORPHCL_POCL
   ushort bits[LANES];
   vstore_half16(value, 0, (private half*)bits);
   STORE_PAST_CACHE(vload16(0, bits), (global ushort16*)out);

@@ -6,6 +6,13 @@
 #ifndef MORPHCL_VECTOR_H
 #define MORPHCL_VECTOR_H
 
+// For functions that pass groups of vectors: as calls on a CPU they would go through memory, at several times the cost.
+#ifdef MORPHCL_POCL
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define ALWAYS_INLINE static inline
+#endif
+
 #define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
 // One byte a lane, two longs: what the loops over set lanes walk through.
@@ -56,7 +63,7 @@ static inline float greatest(float16 v) {
   }
 
 // A store that does not displace what the cache holds, for results that no kernel reads soon.
-#ifdef MORPHCL_NONTEMPORAL
+#ifdef MORPHCL_POCL
 #define STORE_PAST_CACHE(value, pointer) __builtin_nontemporal_store(value, pointer)
 #else
 #define STORE_PAST_CACHE(value, pointer) (*(pointer) = (value))

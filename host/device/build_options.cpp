@@ -7,7 +7,7 @@ std::string build_options(const cl::Device& device, const cl::Platform& platform
   std::string options = "-cl-std=CL1.2 -w";
   if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
     options += " -cl-fp32-correctly-rounded-divide-sqrt";
-  if (platform.getInfo<CL_PLATFORM_NAME>() == "Portable Computing Language") options += " -DMORPHCL_NONTEMPORAL";
+  if (platform.getInfo<CL_PLATFORM_NAME>() == "Portable Computing Language") options += " -DMORPHCL_POCL";
   return options;
 }
 

@@ -46,15 +46,15 @@ class DeviceRenderer : public Renderer {
       throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
     meshes_.require(plan);
     const FrameTables tables = make_frame_tables(plan, meshes_);
-    upload(tables);
     layout::FrameConstants constants = make_frame_constants(plan, frame.row_pitch());
+    const FinishAtExit finish_before_tables_go(queue());
+    upload(tables);
     set_chunks(tables, constants);
     pools_.guess(constants);
     do {
       make_room(tables, constants);
       launch_stages(tables, constants, frame);
-    } while (bins_overflowed(constants));
-    finish(frame);
+    } while (!finish(constants, frame));
   }
 
   std::string name() const override { return session_->info().name; }
@@ -68,12 +68,34 @@ class DeviceRenderer : public Renderer {
     return found;
   }
 
+  // Everything up to the pixels is queued without waiting: what is uploaded must stay until the queue has finished.
+  class FinishAtExit {
+   public:
+    explicit FinishAtExit(const cl::CommandQueue& queue) : queue_(queue) {}
+    ~FinishAtExit() {
+      try {
+        queue_.finish();
+      } catch (const cl::Error&) {
+        // A destructor cannot report; a device lost here fails the next frame as well.
+      }
+    }
+    FinishAtExit(const FinishAtExit&) = delete;
+    FinishAtExit& operator=(const FinishAtExit&) = delete;
+
+   private:
+    cl::CommandQueue queue_;
+  };
+
+  template <class T>
+  void upload(SharedBuffer& buffer, const T* values, std::size_t count) {
+    buffer.ensure(std::max<std::size_t>(count, 1) * sizeof(T));
+    if (count == 0) return;
+    checked("uploading a frame's tables",
+            [&] { queue().enqueueWriteBuffer(buffer.buffer(), CL_FALSE, 0, count * sizeof(T), values); });
+  }
   template <class T>
   void upload(SharedBuffer& buffer, const std::vector<T>& values) {
-    buffer.ensure(std::max<std::size_t>(values.size(), 1) * sizeof(T));
-    if (values.empty()) return;
-    const auto mapped = buffer.map<T>(queue(), values.size());
-    std::copy(values.begin(), values.end(), mapped.data());
+    upload(buffer, values.data(), values.size());
   }
 
   void upload(const FrameTables& tables) {
@@ -126,8 +148,7 @@ class DeviceRenderer : public Renderer {
     entry_triangles_.ensure(entry_pages * layout::page * sizeof(uint));
     large_.ensure(chunks * pools_.large * sizeof(layout::LargeTriangle));
     status_.ensure(chunks * sizeof(layout::ChunkStatus));
-    frame_.ensure(sizeof constants);
-    frame_.map<layout::FrameConstants>(queue(), 1)[0] = constants;
+    upload(frame_, &constants, 1);
   }
 
   void launch_stages(const FrameTables& tables, const layout::FrameConstants& constants, FrameBuffer& frame) {
@@ -162,13 +183,26 @@ class DeviceRenderer : public Renderer {
            color_plane(frame, 3), depth_plane(frame), LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
   }
 
-  // Whether some pool was too small for this frame; if so, they have grown and the stages are to run again.
-  bool bins_overflowed(const layout::FrameConstants& constants) {
-    {
-      const auto overflow = overflow_.map<uint>(queue(), 1);
-      if (overflow[0] == 0) return false;
-      overflow[0] = 0;
-    }
+  // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the stages are to run
+  // again.
+  bool finish(const layout::FrameConstants& constants, FrameBuffer& frame) {
+    uint overflow = 0;
+    checked("waiting for the frame", [&] {
+      queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflow, &overflow);
+      // Mapping brings the pixels to the host on devices that keep their own copy; on a CPU it costs nothing.
+      std::vector<std::pair<cl::Buffer, void*>> mapped;
+      const auto map = [&](const cl::Buffer& plane, std::size_t bytes) {
+        mapped.emplace_back(plane, queue().enqueueMapBuffer(plane, CL_FALSE, CL_MAP_READ, 0, bytes));
+      };
+      if (frame.has_color())
+        for (int channel = 0; channel < 4; ++channel)
+          map(color_plane(frame, channel), frame.plane_elements() * sizeof(std::uint16_t));
+      if (frame.has_depth()) map(depth_plane(frame), frame.plane_elements() * sizeof(float));
+      queue().finish();
+      for (const auto& [plane, pointer] : mapped) queue().enqueueUnmapMemObject(plane, pointer);
+    });
+    if (overflow == 0) return true;
+    overflow_.map<uint>(queue(), 1)[0] = 0;
     const auto status = status_.map<const layout::ChunkStatus>(queue(), constants.chunk_count);
     uint clipped = 0;
     for (const layout::ChunkStatus& chunk : status.span()) {
@@ -176,7 +210,7 @@ class DeviceRenderer : public Renderer {
       clipped += chunk.clipped;
     }
     if (constants.clips && clipped > pools_.clipped) pools_.clipped = clipped + clipped / 4;
-    return true;
+    return false;
   }
 
   // A plane of the frame as a buffer that uses the frame's own memory.
@@ -196,15 +230,6 @@ class DeviceRenderer : public Renderer {
   }
   cl::Buffer depth_plane(FrameBuffer& frame) {
     return frame.has_depth() ? plane(frame.depth(), frame.plane_elements() * sizeof(float)) : overflow_.buffer();
-  }
-
-  // Mapping brings the pixels to the host on devices that keep their own copy; on a CPU it costs nothing.
-  void finish(FrameBuffer& frame) {
-    if (frame.has_color())
-      for (int channel = 0; channel < 4; ++channel)
-        Mapped<const std::uint16_t>(queue(), color_plane(frame, channel), frame.plane_elements());
-    if (frame.has_depth()) Mapped<const float>(queue(), depth_plane(frame), frame.plane_elements());
-    checked("waiting for the frame", [&] { queue().finish(); });
   }
 
   SharedBuffer buffer() const { return SharedBuffer(session_->context()); }
