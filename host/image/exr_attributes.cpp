@@ -60,7 +60,9 @@ ScreenWindow screen_window(const FrameAttributes& attributes) {
       w.z < 0 && std::abs(w.x) <= rounding && std::abs(w.y) <= rounding && std::abs(w.w) <= rounding;
   ScreenWindow window;
   if (!perspective || !(x.x > 0) || !(y.y > 0)) return window;
-  window.center = {static_cast<float>(x.z / x.x), static_cast<float>(y.z / y.y)};
+  // The planes come out of a product of matrices: what is left of a centred one is rounding.
+  const auto offset = [](double ratio) { return std::abs(ratio) < 1e-12 ? 0.0f : static_cast<float>(ratio); };
+  window.center = {offset(x.z / x.x), offset(y.z / y.y)};
   window.width = static_cast<float>(-2.0 * w.z / x.x);
   return window;
 }

@@ -7,6 +7,7 @@
 #include <ImfFloatAttribute.h>
 #include <ImfHeader.h>
 #include <ImfIntAttribute.h>
+#include <ImfLineOrderAttribute.h>
 #include <ImfMatrixAttribute.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfRationalAttribute.h>
@@ -62,6 +63,10 @@ std::string value_text(const Imf::Attribute& attribute) {
     return fmt::format("{}/{}", ratio->value().n, ratio->value().d);
   if (const auto* v = dynamic_cast<const Imf::V2fAttribute*>(&attribute))
     return fmt::format("({} {})", v->value().x, v->value().y);
+  if (const auto* order = dynamic_cast<const Imf::LineOrderAttribute*>(&attribute))
+    return order->value() == Imf::INCREASING_Y   ? "increasing y"
+           : order->value() == Imf::DECREASING_Y ? "decreasing y"
+                                                 : "random y";
   if (const auto* code = dynamic_cast<const Imf::TimeCodeAttribute*>(&attribute)) return time_code_text(code->value());
   if (const auto* matrix = dynamic_cast<const Imf::M44fAttribute*>(&attribute)) return matrix_text(matrix->value());
   if (const auto* c = dynamic_cast<const Imf::ChromaticitiesAttribute*>(&attribute))
