@@ -8,7 +8,7 @@
 namespace morphcl {
 
 // OpenCL C 1.2; correctly rounded division and square root where the device has them (the self-test finds out about the
-// others); MORPHCL_POCL where the compiler knows clang's non-temporal stores. Nothing that relaxes arithmetic.
+// others); MORPHCL_POCL where the compiler is the clang of PoCL. Nothing that relaxes arithmetic.
 std::string build_options(const cl::Device& device, const cl::Platform& platform);
 
 }  // namespace morphcl
