@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <thread>
 
 #include "host/image/exr_file.hpp"
@@ -68,6 +69,28 @@ TEST(KilledJob, LeavesWholeFramesAndIsCompletedByResume) {
     }
     EXPECT_EQ(folder.names().size(), 40u) << "the killed job's temporary files are gone";
   }
+}
+
+// The temporary name that a process which is gone would have used for `file`.
+std::string stale_temporary(const std::string& file) {
+  const pid_t pid = fork();
+  if (pid == 0) _exit(0);
+  waitpid(pid, nullptr, 0);
+  char host[65] = {};
+  gethostname(host, sizeof host - 1);
+  for (char* c = host; *c != 0; ++c)
+    if (!std::isalnum(static_cast<unsigned char>(*c))) *c = '-';
+  return "." + file + "." + host + "." + std::to_string(pid) + ".0.morphcl-tmp";
+}
+
+TEST(KilledJob, ItsTemporaryFilesAreRemovedByTheNextJobOfThePattern) {
+  const TemporaryFolder folder;
+  const std::string of_this = stale_temporary("shot.0003.exr"), of_another = stale_temporary("other.0003.exr");
+  image_test::write_bytes(folder / of_this, {'x'});
+  image_test::write_bytes(folder / of_another, {'x'});
+  FakeRenderer renderer;
+  run(job_of(folder / "shot.####.exr", {1, 2}), empty_scene(), renderer);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{of_another, "shot.0001.exr", "shot.0002.exr"}));
 }
 
 }  // namespace
