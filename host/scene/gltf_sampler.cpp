@@ -81,7 +81,7 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
   for (std::size_t key = 0; key < times.size(); ++key) {
     std::int64_t tick = 0;
     try {
-      tick = time.seconds_to_ticks(times[key]);
+      tick = time.float_seconds_to_ticks(static_cast<float>(times[key]));  // the file stores 32 bits
     } catch (const Error& error) {
       accessors.fail(input, fmt::format("key {}: {}", key, error.message()));
     }

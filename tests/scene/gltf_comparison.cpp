@@ -22,7 +22,7 @@ std::size_t compare_with_evaluator(const std::string& path) {
   TimeBase time;
   time.fps_numerator = 120;
   const ImportedModel model = import_gltf(path, time);
-  const GltfEvaluator expected(path, time.ticks_per_second());
+  const GltfEvaluator expected(path, time.fps_numerator, time.ticks_per_frame());
   Timeline timeline;
   timeline.time = time;
   timeline.nodes = model.nodes;

@@ -75,10 +75,19 @@ Matrix compose(const std::vector<Real>& t, std::vector<Real> q, const std::vecto
 
 }  // namespace
 
-GltfEvaluator::GltfEvaluator(const std::string& path, std::int64_t ticks_per_second)
-    : json_(nlohmann::json::parse(read(path))), ticks_per_second_(ticks_per_second) {
+GltfEvaluator::GltfEvaluator(const std::string& path, std::int64_t frames_per_second, std::int64_t ticks_per_frame)
+    : json_(nlohmann::json::parse(read(path))),
+      frames_per_second_(frames_per_second),
+      ticks_per_frame_(ticks_per_frame),
+      ticks_per_second_(frames_per_second * ticks_per_frame) {
   for (const auto& buffer : json_["buffers"])
     buffers_.push_back(read(std::filesystem::path(path).parent_path() / buffer["uri"].get<std::string>()));
+}
+
+std::int64_t GltfEvaluator::tick_of(Real seconds) const {
+  const Real rate = static_cast<Real>(frames_per_second_), frame = std::nearbyint(seconds * rate);
+  if (static_cast<float>(frame / rate) == static_cast<float>(seconds)) return std::llrint(frame) * ticks_per_frame_;
+  return std::llrint(seconds * static_cast<Real>(ticks_per_second_));
 }
 
 std::vector<Real> GltfEvaluator::floats(std::size_t index) const {
@@ -103,7 +112,7 @@ std::vector<Real> GltfEvaluator::sample(const nlohmann::json& sampler, bool rota
   const std::string rule = sampler.value("interpolation", "LINEAR");
   const std::size_t parts = rule == "CUBICSPLINE" ? 3 : 1, width = output.size() / times.size() / parts;
   std::vector<std::int64_t> ticks;
-  for (const Real time : times) ticks.push_back(std::llrint(time * static_cast<Real>(ticks_per_second_)));
+  for (const Real time : times) ticks.push_back(tick_of(time));
   const auto part = [&](std::size_t key, std::size_t which) {
     const auto first = output.begin() + static_cast<std::ptrdiff_t>((key * parts + which) * width);
     return std::vector<Real>(first, first + static_cast<std::ptrdiff_t>(width));
@@ -171,7 +180,7 @@ std::int64_t GltfEvaluator::last_tick() const {
   if (json_.contains("animations"))
     for (const auto& animation : json_["animations"])
       for (const auto& sampler : animation["samplers"]) last = std::max(last, floats(sampler["input"]).back());
-  return std::llrint(last * static_cast<Real>(ticks_per_second_));
+  return tick_of(last);
 }
 
 }  // namespace morphcl::test

@@ -17,8 +17,9 @@ using Matrix = std::array<std::array<Real, 4>, 4>;  // rows
 
 class GltfEvaluator {
  public:
-  // Key times are rounded to the nearest of `ticks_per_second`, as the library documents.
-  GltfEvaluator(const std::string& path, std::int64_t ticks_per_second);
+  // Key times are rounded to the nearest of `frames_per_second` * `ticks_per_frame` ticks a second, and a time that is
+  // the float nearest to a frame's is that frame's, as the library documents.
+  GltfEvaluator(const std::string& path, std::int64_t frames_per_second, std::int64_t ticks_per_frame);
 
   std::size_t node_count() const { return json_["nodes"].size(); }
   Matrix node_to_world(std::size_t node, std::int64_t tick) const;
@@ -27,6 +28,7 @@ class GltfEvaluator {
   const nlohmann::json& json() const { return json_; }
 
  private:
+  std::int64_t tick_of(Real seconds) const;
   std::vector<Real> floats(std::size_t accessor) const;
   // The value of the first channel that drives `path` of the node; empty without one.
   std::vector<Real> animated(std::size_t node, const std::string& path, std::int64_t tick) const;
@@ -34,7 +36,7 @@ class GltfEvaluator {
 
   nlohmann::json json_;
   std::vector<std::string> buffers_;
-  std::int64_t ticks_per_second_;
+  std::int64_t frames_per_second_, ticks_per_frame_, ticks_per_second_;
 };
 
 }  // namespace morphcl::test
