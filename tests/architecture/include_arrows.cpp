@@ -80,6 +80,10 @@ std::string from_root(const Include& include) {
 
 std::string why_forbidden(const Include& include, const Arrows& arrows) {
   const std::string from = folder_of(include.from), to = folder_of(from_root(include));
+  // The header that users include to have everything stands above all folders.
+  const std::string umbrella = "host/morphcl.hpp";
+  if (include.from == umbrella && !is_outer(to)) return "";
+  if (from_root(include) == umbrella && !is_outer(from)) return "the library does not include its own umbrella header";
   if (from == to || to == "host") return "";
   if (is_outer(to)) return starts_with_folder(include.from, "tests/" + to) ? "" : "only its own tests include " + to;
   if (is_outer(from)) return "";
