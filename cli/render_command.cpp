@@ -44,7 +44,12 @@ int render_command(const RenderOptions& options) {
     if (result.status == FrameResult::Status::rendered && !programs_stored.valid())
       programs_stored = std::async(std::launch::async, [&opened] { opened.store_programs(); });
   };
-  return report.finish(run(job, scene, *opened.renderer));
+  const JobResult result = run(job, scene, *opened.renderer);
+  if (programs_stored.valid()) {
+    programs_stored.wait();
+    opened.store_programs();  // of stages that no earlier frame needed; costs nothing when there are none
+  }
+  return report.finish(result);
 }
 
 }  // namespace morphcl::cli
