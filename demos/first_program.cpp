@@ -7,6 +7,7 @@ int main() try {
   Scene scene;
   scene.image.width = 640;
   scene.image.height = 360;
+  scene.frames = {{.first = 0, .last = 100}};
   scene.meshes = {make_solid("pyramid_to_cube")};
   scene.objects.emplace_back().name = "solid";
 
@@ -25,7 +26,7 @@ int main() try {
   const auto renderer = make_device_renderer(Session::open({}));
   RenderJob job;
   job.pattern = "first.####.exr";
-  job.frames = frame_numbers({{.first = 0, .last = 100}});
+  job.frames = frame_numbers(scene.frames);
   job.fingerprint = fingerprint(scene);
   const JobResult result = run(job, scene, *renderer);
   std::printf("%zu frames on %s\n", result.frames.size(), renderer->name().c_str());
