@@ -14,6 +14,8 @@ if(MORPHCL_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_compile_options(morphcl_options INTERFACE ${sanitizers})
   target_link_options(morphcl_options INTERFACE ${sanitizers})
+  target_sources(morphcl_options INTERFACE
+                 $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/driver_leaks.cpp>)
   # GCC 12 takes its own checks in the standard library's <regex> for uses of uninitialized values.
   target_compile_options(morphcl_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
