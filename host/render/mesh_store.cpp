@@ -100,6 +100,10 @@ MeshStore::MeshStore(std::shared_ptr<Session> session)
     : session_(std::move(session)), data_(session_->context()), indices_(session_->context()) {}
 
 void MeshStore::require(const FramePlan& plan) {
+  if (plan.planner != planner_) {
+    stored_.clear(), order_.clear(), wants_edges_.clear();
+    planner_ = plan.planner;
+  }
   bool changed = false;
   for (const Draw& draw : plan.draws) {
     const bool lines = draw.shading == Shading::wireframe;

@@ -1,5 +1,6 @@
 // Meshes in device memory: every attribute as planes of floats padded to whole vertex groups, indices as planes of
-// uints padded to whole blocks. A mesh is uploaded when a plan first draws it and stays.
+// uints padded to whole blocks. A mesh is uploaded when a plan first draws it and stays until a plan of another planner
+// comes: only plans of one planner promise that a mesh at the same address is the same mesh.
 #pragma once
 
 #include <unordered_map>
@@ -45,6 +46,7 @@ class MeshStore {
   void upload();
 
   std::shared_ptr<Session> session_;
+  std::uint64_t planner_ = 0;
   std::unordered_map<const Mesh*, StoredMesh> stored_;
   std::vector<const Mesh*> order_;
   std::unordered_map<const Mesh*, bool> wants_edges_;

@@ -52,6 +52,8 @@ struct PlanNote {
 };
 
 struct FramePlan {
+  std::uint64_t planner =
+      0;  // which planner made it: plans of one planner share their meshes, which then do not change
   std::int64_t frame = 0;
   int width = 0, height = 0;
   bool color = true, depth = true;
@@ -73,7 +75,8 @@ struct FramePlan {
 };
 
 // Plans frames of one scene; keeps what does not change from frame to frame (the bounds of every mesh). The scene must
-// outlive the planner, and the plans refer to its meshes.
+// outlive the planner and its plans, which refer to the scene's meshes, and must not change meanwhile. A renderer keeps
+// the meshes of one planner on the device: frames of one scene are planned by one planner.
 class Planner {
  public:
   explicit Planner(const Scene& scene);

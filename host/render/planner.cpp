@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 #include <unordered_map>
 
@@ -116,6 +117,13 @@ struct Planner::Impl {
 
   const Scene& scene;
   std::vector<MorphBounds> bounds;
+  const std::uint64_t number = next_number();
+
+ private:
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+  }
 };
 
 void Planner::Impl::add_lights(const FrameState& state, FramePlan& plan) const {
@@ -203,6 +211,7 @@ void add_notes(const Scene& scene, const Counts& counts, FramePlan& plan) {
 FramePlan Planner::Impl::plan(std::int64_t frame) const {
   const FrameState state = evaluate(scene.timeline, frame);
   FramePlan plan;
+  plan.planner = number;
   plan.frame = frame;
   plan.width = scene.image.width, plan.height = scene.image.height;
   plan.color = scene.image.color, plan.depth = scene.image.depth;

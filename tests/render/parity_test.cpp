@@ -78,6 +78,16 @@ TEST(Parity, AFrameDoesNotDependOnTheFramesBefore) {
   }
 }
 
+// The meshes of scenes that come and go may lie at the same address; their vertices must not be mixed up.
+TEST(Parity, ScenesThatComeAndGoWithOneRenderer) {
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (unsigned seed = 20; seed < 26; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto soup = std::make_unique<Scene>(triangle_soup(seed, 300, 90, 70));
+    expect_parity(*device, *reference, *soup, 0);
+  }
+}
+
 // More fragments, large triangles and clipped triangles than any first guess has room for.
 TEST(Parity, PoolsGrowAndLoseNothing) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
