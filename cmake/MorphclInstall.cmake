@@ -14,7 +14,6 @@ set(MORPHCL_PACKAGE_PNG::PNG "find_dependency(PNG)")
 set(MORPHCL_PACKAGE_fmt::fmt "find_dependency(fmt)")
 set(MORPHCL_PACKAGE_nlohmann_json::nlohmann_json "private")
 set(MORPHCL_PACKAGE_tomlplusplus::tomlplusplus "find_dependency(tomlplusplus)")
-set(MORPHCL_PACKAGE_tinygltf::tinygltf "find_dependency(TinyGLTF)")
 set(MORPHCL_PACKAGE_PkgConfig::xxhash
     "find_dependency(PkgConfig)\npkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)")
 
