@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <algorithm>
+
 #include "host/error.hpp"
 
 namespace morphcl {
 
 namespace {
 
-constexpr std::size_t tile_side = 64;
 constexpr std::size_t page_bytes = 4096;
 constexpr std::size_t huge_page_bytes = std::size_t{2} << 20;
 
@@ -52,6 +53,18 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth) : width_
   if (color)
     for (auto& plane : color_) plane = map_plane<std::uint16_t>(plane_elements());
   if (depth) depth_ = map_plane<float>(plane_elements());
+  blank_tiles_ = map_plane<std::uint32_t>(static_cast<std::size_t>(tiles_x()) * tiles_y());
+}
+
+FrameBuffer::Planes FrameBuffer::planes() {
+  any_blank_ = true;
+  return {{color_[0].get(), color_[1].get(), color_[2].get(), color_[3].get()}, depth_.get(), blank_tiles_.get()};
+}
+
+void FrameBuffer::forget_blank_tiles() {
+  if (!any_blank_) return;
+  any_blank_ = false;
+  std::fill_n(blank_tiles_.get(), static_cast<std::size_t>(tiles_x()) * tiles_y(), 0u);
 }
 
 }  // namespace morphcl

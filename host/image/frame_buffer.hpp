@@ -5,6 +5,9 @@
 // height is padding without meaning. Planes start on a page (planes of 2 MB and more on a huge page) so that OpenCL can
 // use them in place. Every element is 0 until it is written, and memory is only taken where something was written.
 // Planes that were not asked for are not allocated.
+//
+// The frame knows which of its tiles are blank (background everywhere), so that a renderer need not write them again
+// and an encoder need not look at them.
 #pragma once
 
 #include <cstddef>
@@ -28,14 +31,33 @@ class FrameBuffer {
   bool has_color() const { return color_[0] != nullptr; }
   bool has_depth() const { return depth_ != nullptr; }
 
-  // channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE binary16. Colour is premultiplied by alpha.
-  std::uint16_t* color(int channel) { return color_[channel].get(); }
+  // channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE binary16. Colour is premultiplied by alpha. Whoever can write to a
+  // plane may: no tile counts as blank from then on.
+  std::uint16_t* color(int channel) { return forget_blank_tiles(), color_[channel].get(); }
   const std::uint16_t* color(int channel) const { return color_[channel].get(); }
   // Positive distance along the view axis; background 1e10.
-  float* depth() { return depth_.get(); }
+  float* depth() { return forget_blank_tiles(), depth_.get(); }
   const float* depth() const { return depth_.get(); }
 
+  // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour plane and the background's depth.
+  int tiles_x() const { return static_cast<int>(row_pitch_ / tile_side); }
+  int tiles_y() const { return static_cast<int>(padded_rows_ / tile_side); }
+  bool blank(int tile_x, int tile_y) const {
+    return blank_tiles_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x];
+  }
+
+  // For a renderer, which keeps the flags true to what it writes: not 0 for a blank tile, row by row.
+  struct Planes {
+    std::uint16_t* color[4];
+    float* depth;
+    std::uint32_t* blank_tiles;
+  };
+  Planes planes();
+
+  static constexpr std::size_t tile_side = 64;
+
  private:
+  void forget_blank_tiles();
   struct Unmap {
     std::size_t bytes;
     void operator()(void* plane) const;
@@ -47,6 +69,8 @@ class FrameBuffer {
   std::size_t row_pitch_ = 0, padded_rows_ = 0;
   std::unique_ptr<std::uint16_t[], Unmap> color_[4];
   std::unique_ptr<float[], Unmap> depth_;
+  std::unique_ptr<std::uint32_t[], Unmap> blank_tiles_;
+  bool any_blank_ = false;  // false: all flags are 0, planes() was not called since they were reset
 };
 
 constexpr float background_depth = 1e10f;

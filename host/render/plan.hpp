@@ -67,6 +67,10 @@ struct FramePlan {
   float far_depth = 0;                // depth on the far plane: smaller ones are not drawn
   float near = 0;                     // perspective: Z = near / depth; parallel: Z = -depth
   bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
+  bool divides = true;                // false: w is 1 at every vertex, nothing is divided by it
+  bool tests_depth = true;            // false: no pixel centre is covered twice, what comes is not compared
+  bool keeps_vertices = true;         // a draw that is as it was in the frame drawn before keeps its vertices
+  bool keeps_blank_tiles = true;      // tiles that were and stay background are not written again
   // Eye position of a pixel for point lights, from its centre (x, y) and its distance d along the axis:
   // (x * ray[0] + ray[1]) * (parallel ? 1 : d) and so on for y with ray[2], ray[3].
   std::array<float, 4> ray{};
