@@ -113,4 +113,21 @@ void Track::hermite(std::size_t key, double u, double seconds, double* out) cons
     store(normalized(load(out)), out);
 }
 
+ValueRange Track::range(int component) const {
+  ValueRange range{key_value(0)[component], key_value(0)[component]};
+  const auto include = [&range](double value) { range = {std::min(range.lower, value), std::max(range.upper, value)}; };
+  for (std::size_t key = 1; key < ticks_.size(); ++key) include(key_value(key)[component]);
+  if (interpolation_ != Interpolation::cubic) return range;
+  // Between two keys a cubic leaves their interval by at most its tangents times u (1-u)^2 and u^2 (1-u), each at most
+  // 4/27 of the distance in seconds.
+  double reach = 0;
+  for (std::size_t key = 0; key + 1 < ticks_.size(); ++key) {
+    const double seconds = distance(ticks_[key], ticks_[key + 1]) / ticks_per_second_;
+    const double out_tangent = (key_value(key) + width_)[component];
+    const double in_tangent = (key_value(key + 1) - width_)[component];
+    reach = std::max(reach, 4.0 / 27.0 * seconds * (std::abs(out_tangent) + std::abs(in_tangent)));
+  }
+  return {range.lower - reach, range.upper + reach};
+}
+
 }  // namespace morphcl

@@ -15,6 +15,11 @@ namespace morphcl {
 
 enum class Interpolation { step, linear, cubic };
 
+// All x with lower <= x <= upper.
+struct ValueRange {
+  double lower, upper;
+};
+
 class Track {
  public:
   Track() = default;
@@ -34,6 +39,9 @@ class Track {
   // Writes width() values; the track is not empty. They are finite, except that a cubic track with values near the
   // largest double may overflow. A cubic rotation that passes exactly through 0 keeps the value of the key before.
   void evaluate(std::int64_t tick, double* out) const;
+  // Contains what evaluate() writes for `component` at any tick, but for a few ulps of the largest key; not finite
+  // where a cubic track may overflow. For tracks that are no rotations.
+  ValueRange range(int component) const;
 
  private:
   const double* key_value(std::size_t key) const;

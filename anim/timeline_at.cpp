@@ -1,0 +1,111 @@
+#include "anim/timeline_at.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+
+#include "host/error.hpp"
+#include "host/math/direction.hpp"
+#include "host/math/finite.hpp"
+#include "host/math/look_at.hpp"
+#include "host/math/quaternion.hpp"
+
+namespace morphcl {
+
+namespace {
+
+double sample(const Track& track, double constant, std::int64_t tick) {
+  if (!track.empty()) track.evaluate(tick, &constant);
+  return constant;
+}
+
+glm::dvec3 sample(const Track& track, glm::dvec3 constant, std::int64_t tick) {
+  if (!track.empty()) track.evaluate(tick, &constant.x);
+  return constant;
+}
+
+glm::dquat sample(const Track& track, const glm::dquat& constant, std::int64_t tick) {
+  if (track.empty()) return constant;
+  double xyzw[4];
+  track.evaluate(tick, xyzw);
+  return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]};
+}
+
+Projection evaluate_projection(const Camera& camera, std::int64_t tick) {
+  Projection projection = camera.projection;
+  if (auto* perspective = std::get_if<Perspective>(&projection))
+    perspective->fovy_degrees = sample(camera.fovy_track, perspective->fovy_degrees, tick);
+  std::visit(
+      [&](auto& p) {
+        p.near = sample(camera.near_track, p.near, tick);
+        p.far = sample(camera.far_track, p.far, tick);
+      },
+      projection);
+  validate(projection);
+  return projection;
+}
+
+LookAt evaluate_view(const Camera& camera, const glm::dmat4& node, std::int64_t tick) {
+  if (camera.node >= 0) return look_along(glm::dvec3(node[3]), -glm::dvec3(node[2]), glm::dvec3(node[1]));
+  return look_at(sample(camera.eye_track, camera.eye, tick), sample(camera.target_track, camera.target, tick),
+                 sample(camera.up_track, camera.up, tick));
+}
+
+}  // namespace
+
+std::int64_t tick_of(const Timeline& timeline, std::int64_t frame) {
+  if (frame > 1'000'000 || frame < -1'000'000)
+    throw Error(ErrorKind::usage, "", fmt::format("frame {} is out of range; frames are -1000000 to 1000000", frame));
+  return timeline.time.frame_ticks(frame);
+}
+
+glm::dmat4 node_to_parent(const Node& node, std::int64_t tick) {
+  const glm::dvec3 translation = sample(node.translation_track, node.translation, tick);
+  const glm::dmat3 rotation = rotation_matrix(sample(node.rotation_track, node.rotation, tick));
+  const glm::dvec3 scale = sample(node.scale_track, node.scale, tick);
+  glm::dmat4 matrix;
+  for (int column = 0; column < 3; ++column) matrix[column] = glm::dvec4(rotation[column] * scale[column], 0);
+  matrix[3] = glm::dvec4(translation, 1);
+  return matrix * node.static_transform;
+}
+
+bool shows_itself(const Node& node, std::int64_t tick) { return sample(node.visible_track, 1.0, tick) >= 0.5; }
+
+void require_finite(const glm::dmat4& node_to_world, const Node& node, std::size_t index) {
+  if (!is_finite(node_to_world))
+    throw Error(ErrorKind::bad_input, fmt::format("nodes[{}] {}", index, node.name),
+                "the transform to world space overflows; use smaller numbers");
+}
+
+void evaluate_weights(const MorphWeights& morph, std::int64_t tick, std::vector<double>& weights) {
+  weights.assign(morph.weights.begin(), morph.weights.end());
+  for (const WeightTrack& driven : morph.tracks)
+    if (!driven.track.empty()) driven.track.evaluate(tick, weights.data() + driven.first_target);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (!std::isfinite(weights[i]))
+      throw Error(ErrorKind::bad_input, "weights", fmt::format("weight {} overflows; use smaller tangents", i));
+}
+
+CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_world, std::int64_t tick) {
+  try {
+    const LookAt view = evaluate_view(camera, node_to_world, tick);
+    return {evaluate_projection(camera, tick), view.world_to_eye, view.up_replaced};
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_input, "camera", error.message());
+  }
+}
+
+LightState evaluate_light(const Light& light, std::size_t index, std::int64_t tick) {
+  const glm::dvec3 vector = sample(light.vector_track, light.vector, tick);
+  const glm::dvec3 color = sample(light.color_track, light.color, tick);
+  const std::string place = fmt::format("lights[{}]", index);
+  if (!is_finite(vector) || !is_finite(color))
+    throw Error(ErrorKind::bad_input, place, "a value overflows; use smaller tangents");
+  if (light.kind == LightKind::point) return {light.kind, vector, color, light.falloff};
+  if (vector == glm::dvec3(0))
+    throw Error(ErrorKind::bad_input, place, "the direction is 0 0 0; it must point towards the light");
+  return {light.kind, unit(vector), color, light.falloff};
+}
+
+}  // namespace morphcl

@@ -1,0 +1,31 @@
+// The pieces of a timeline's state at a tick, for those who need only some of them; evaluate() is all of them at a
+// frame. Each is a pure function of its arguments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "anim/timeline.hpp"
+
+namespace morphcl {
+
+// Error(usage) when |frame| > 1,000,000.
+std::int64_t tick_of(const Timeline& timeline, std::int64_t frame);
+
+// node -> parent. Not finite where the motion overflows.
+glm::dmat4 node_to_parent(const Node& node, std::int64_t tick);
+// By the node's own track; what is above it may hide it all the same.
+bool shows_itself(const Node& node, std::int64_t tick);
+// Error(bad_input) naming the node when its matrix to world space is not finite.
+void require_finite(const glm::dmat4& node_to_world, const Node& node, std::size_t index);
+
+// One weight a target into `weights`, whose room is used again. Error(bad_input) when one overflows.
+void evaluate_weights(const MorphWeights& morph, std::int64_t tick, std::vector<double>& weights);
+
+// `node_to_world` belongs to the camera's node and is read only if it has one. Errors as evaluate() has them.
+CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_world, std::int64_t tick);
+LightState evaluate_light(const Light& light, std::size_t index, std::int64_t tick);
+
+}  // namespace morphcl
