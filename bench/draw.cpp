@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "bench/morphcl_scene.hpp"
 #include "bench/report.hpp"
+#include "bench/rig_scene.hpp"
 #include "host/device/session.hpp"
 #include "host/error.hpp"
 #include "host/image/frame_buffer.hpp"
@@ -19,37 +18,49 @@ namespace morphcl::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+struct Subject {
+  Scene scene;
+  SceneFigures figures;
+  int frames;
+};
 
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
+Subject make_subject(const Options& options) {
+  if (options.scene == "rig") {
+    const int frames = options.frames > 0 ? options.frames : 24;
+    Scene scene = rig_scene(options.amount > 0 ? options.amount : 256, options.width, options.height, frames);
+    const SceneFigures figures{"rig", scene.image.width, scene.image.height, 1, scene.meshes[0].triangles.size()};
+    return {std::move(scene), figures, frames};
+  }
+  BenchScene bench = make_bench_scene(options.scene, options.width, options.height, options.amount);
+  const int frames = options.frames > 0 ? options.frames : bench.frames;
+  const SceneFigures figures = scene_figures(bench);
+  return {morphcl_scene(bench, frames), figures, frames};
 }
 
-void run(Options options) {
-  const BenchScene bench = make_bench_scene(options.scene, options.width, options.height);
-  const int frames = options.frames > 0 ? options.frames : bench.frames;
-  const Scene scene = morphcl_scene(bench, frames);
-  options.threads = prepare_process(options.threads);
+void run(const Options& options) {
+  const Subject subject = make_subject(options);
   SessionOptions session_options;
-  session_options.threads = options.threads;
+  session_options.threads = prepare_process(options.threads);
   const std::shared_ptr<Session> session = Session::open(session_options);
   const std::unique_ptr<Renderer> renderer = make_device_renderer(session);
-  const Planner planner(scene);
-  FrameBuffer frame(bench.width, bench.height, true, true);
+  const Planner planner(subject.scene);
+  FrameBuffer frame(subject.figures.width, subject.figures.height, true, true);
 
-  for (int i = 0; i < warm_up_frames; ++i) renderer->render(planner.plan(std::min(i, frames - 1)), frame);
+  for (int i = 0; i < warm_up_frames; ++i) renderer->render(planner.plan(std::min(i, subject.frames - 1)), frame);
   session->store_programs();
 
-  FrameTimes times("plan", "render");
-  for (int i = 0; i < frames; ++i) {
-    const Clock::time_point start = Clock::now();
+  FrameTimes times({"plan", "render"});
+  for (int i = 0; i < subject.frames; ++i) {
+    times.start_frame();
     const FramePlan plan = planner.plan(i);
-    const Clock::time_point planned = Clock::now();
+    times.finish_step();
     renderer->render(plan, frame);
-    times.add(milliseconds(start, planned), milliseconds(planned, Clock::now()));
+    times.finish_step();
   }
-  const PictureView picture{frame.color(0), frame.color(3), bench.width, bench.height, frame.row_pitch(), 1};
-  print_report("morphcl", session->info().platform, bench, options, times, picture_figures(picture));
+  const PictureView picture{frame.color(0),         frame.color(3),    subject.figures.width,
+                            subject.figures.height, frame.row_pitch(), 1};
+  print_report("morphcl", session->info().platform, subject.figures, session_options.threads, times,
+               picture_figures(picture));
 }
 
 }  // namespace

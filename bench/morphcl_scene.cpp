@@ -11,19 +11,19 @@ std::vector<glm::vec3> unit_length(std::vector<glm::vec3> directions) {
   return directions;
 }
 
-Mesh make_mesh(const BenchScene& bench) {
+Mesh take_mesh(BenchScene& bench) {
   Mesh mesh;
   mesh.name = bench.name;
-  mesh.positions = bench.shape.positions[0];
-  mesh.triangles = bench.shape.triangles;
-  mesh.edges = bench.shape.edges;
+  mesh.positions = std::move(bench.shape.positions[0]);
+  mesh.triangles = std::move(bench.shape.triangles);
+  mesh.edges = std::move(bench.shape.edges);
   MorphTarget target;
   target.name = "end";
   target.form = TargetForm::absolute;
-  target.positions = bench.shape.positions[1];
+  target.positions = std::move(bench.shape.positions[1]);
   if (bench.surface == Surface::smooth) {
-    mesh.normals = unit_length(bench.shape.normals[0]);
-    target.normals = unit_length(bench.shape.normals[1]);
+    mesh.normals = unit_length(std::move(bench.shape.normals[0]));
+    target.normals = unit_length(std::move(bench.shape.normals[1]));
   }
   mesh.targets.push_back(std::move(target));
   return mesh;
@@ -61,10 +61,10 @@ Material make_material(Surface surface) {
 
 }  // namespace
 
-Scene morphcl_scene(const BenchScene& bench, int frames) {
+Scene morphcl_scene(BenchScene& bench, int frames) {
   Scene scene;
   scene.name = bench.name;
-  scene.meshes.push_back(make_mesh(bench));
+  scene.meshes.push_back(take_mesh(bench));
   scene.image.width = bench.width;
   scene.image.height = bench.height;
   scene.frames = {{0, frames - 1, 1}};

@@ -7,6 +7,7 @@
 namespace morphcl::bench {
 
 // t runs linearly from 0 at frame 0 to 1 at frame `frames` - 1; a single frame is t = 0. The image has RGBA and Z.
-Scene morphcl_scene(const BenchScene& bench, int frames);
+// Takes the arrays of the shape, which is empty then.
+Scene morphcl_scene(BenchScene& bench, int frames);
 
 }  // namespace morphcl::bench

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <thread>
 
-#include "bench/scenes.hpp"
 #include "host/error.hpp"
 
 namespace morphcl::bench {
@@ -24,17 +23,21 @@ void parse_size(const std::string& text, Options& options) {
 
 }  // namespace
 
-std::optional<Options> parse_options(int argc, char** argv, const std::string& description) {
+std::optional<Options> parse_options(int argc, char** argv, const std::string& description,
+                                     const std::function<void(CLI::App&)>& add_options) {
   Options options;
   options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::string size;
   CLI::App app(description);
-  app.add_option("SCENE", options.scene)->required()->check(CLI::IsMember(scene_names()));
+  app.add_option("SCENE", options.scene)->required();
+  app.add_option("--amount", options.amount, "triangles, layers or objects; default: the scene's own number")
+      ->check(CLI::Range(1, 1'000'000'000));
   app.add_option("--frames", options.frames, "timed frames; default: the scene's own number")
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--threads", options.threads, "threads that draw; default: one a processor")
       ->check(CLI::Range(1, 4096));
   app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: the scene's own");
+  if (add_options) add_options(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

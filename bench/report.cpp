@@ -34,28 +34,46 @@ PictureFigures picture_figures(const PictureView& picture) {
   return figures;
 }
 
-void FrameTimes::add(double first_ms, double second_ms) {
-  first_ms_.push_back(first_ms);
-  second_ms_.push_back(second_ms);
+FrameTimes::FrameTimes(std::vector<std::string> steps) : steps_(std::move(steps)), step_ms_(steps_.size()) {}
+
+void FrameTimes::start_frame() {
+  step_ = 0;
+  frame_start_ = step_start_ = Clock::now();
+}
+
+void FrameTimes::finish_step() {
+  const Clock::time_point now = Clock::now();
+  const auto milliseconds_since = [now](Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(now - start).count();
+  };
+  step_ms_[step_++].push_back(milliseconds_since(step_start_));
+  step_start_ = now;
+  if (step_ < steps_.size()) return;
+  whole_ms_.push_back(milliseconds_since(frame_start_));
   processor_end_ = std::clock();
 }
 
 std::vector<std::pair<std::string, double>> FrameTimes::summary() const {
   const double processor_ms = 1000.0 * static_cast<double>(processor_end_ - processor_start_) / CLOCKS_PER_SEC;
-  std::vector<double> whole(first_ms_);
-  for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += second_ms_[i];
-  return {{first_step_ + "_ms", median(first_ms_)},
-          {second_step_ + "_ms", median(second_ms_)},
-          {"frame_ms", median(whole)},
-          {"fastest_ms", *std::min_element(whole.begin(), whole.end())},
-          {"cpu_ms", processor_ms / static_cast<double>(whole.size())}};
+  std::vector<std::pair<std::string, double>> figures;
+  for (std::size_t step = 0; step < steps_.size(); ++step)
+    figures.emplace_back(steps_[step] + "_ms", median(step_ms_[step]));
+  figures.emplace_back("frame_ms", median(whole_ms_));
+  figures.emplace_back("fastest_ms", *std::min_element(whole_ms_.begin(), whole_ms_.end()));
+  figures.emplace_back("cpu_ms", processor_ms / static_cast<double>(frames()));
+  return figures;
 }
 
-void print_report(const std::string& program, const std::string& renderer, const BenchScene& scene,
-                  const Options& options, const FrameTimes& times, const PictureFigures& picture) {
-  nlohmann::ordered_json line = {{"program", program},      {"renderer", renderer},   {"scene", scene.name},
-                                 {"width", scene.width},    {"height", scene.height}, {"threads", options.threads},
-                                 {"frames", times.frames()}};
+SceneFigures scene_figures(const BenchScene& scene) {
+  const std::size_t objects = scene.placements.size();
+  return {scene.name, scene.width, scene.height, objects, objects * scene.shape.triangles.size()};
+}
+
+void print_report(const std::string& program, const std::string& renderer, const SceneFigures& scene, int threads,
+                  const FrameTimes& times, const PictureFigures& picture) {
+  nlohmann::ordered_json line = {{"program", program},           {"renderer", renderer},   {"scene", scene.name},
+                                 {"width", scene.width},         {"height", scene.height}, {"objects", scene.objects},
+                                 {"triangles", scene.triangles}, {"threads", threads},     {"frames", times.frames()}};
   for (const auto& [key, milliseconds] : times.summary()) line[key] = milliseconds;
   line["covered"] = picture.covered;
   line["mean_red"] = picture.mean_red;

@@ -2,6 +2,7 @@
 // different programs are compared.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -31,27 +32,41 @@ struct PictureFigures {
 
 PictureFigures picture_figures(const PictureView& picture);
 
-// The two steps of each frame and the whole, in milliseconds; element i is frame i. Processor time counts from when
-// this is made to the last frame added, all threads together: unlike the clock's, it does not grow when others use the
-// machine.
+// The steps of each frame in milliseconds of the clock. Processor time counts from when this is made to the last frame
+// finished, all threads together: unlike the clock's, it does not grow when others use the machine.
 class FrameTimes {
  public:
-  FrameTimes(std::string first_step, std::string second_step)
-      : first_step_(std::move(first_step)), second_step_(std::move(second_step)), processor_start_(std::clock()) {}
-  void add(double first_ms, double second_ms);
+  explicit FrameTimes(std::vector<std::string> steps);
 
-  std::size_t frames() const { return first_ms_.size(); }
-  // "STEP_ms" and "frame_ms": medians; "fastest_ms"; "cpu_ms": mean processor time a frame.
+  void start_frame();
+  void finish_step();  // of those named, the next one; the last one finishes the frame
+
+  std::size_t frames() const { return whole_ms_.size(); }
+  // "STEP_ms" and "frame_ms": medians; "fastest_ms"; "cpu_ms": mean processor time a frame. At least one frame
+  // finished.
   std::vector<std::pair<std::string, double>> summary() const;
 
  private:
-  std::string first_step_, second_step_;
-  std::vector<double> first_ms_, second_ms_;
-  std::clock_t processor_start_, processor_end_ = processor_start_;
+  using Clock = std::chrono::steady_clock;
+  std::vector<std::string> steps_;
+  std::vector<std::vector<double>> step_ms_;  // [step][frame]
+  std::vector<double> whole_ms_;
+  std::size_t step_ = 0;
+  Clock::time_point frame_start_{}, step_start_{};
+  std::clock_t processor_start_ = std::clock(), processor_end_ = processor_start_;
 };
 
+// What was drawn.
+struct SceneFigures {
+  std::string name;
+  int width, height;
+  std::size_t objects, triangles;  // triangles of all objects together
+};
+
+SceneFigures scene_figures(const BenchScene& scene);
+
 // One line of JSON on stdout. `renderer`: the device and version that drew.
-void print_report(const std::string& program, const std::string& renderer, const BenchScene& scene,
-                  const Options& options, const FrameTimes& times, const PictureFigures& picture);
+void print_report(const std::string& program, const std::string& renderer, const SceneFigures& scene, int threads,
+                  const FrameTimes& times, const PictureFigures& picture);
 
 }  // namespace morphcl::bench

@@ -48,10 +48,16 @@ struct BenchScene {
   glm::dvec3 eye{0.0}, target{0.0, 0.0, -1.0};  // up is y
 };
 
-// In the order of the tables.
+// Whether a placement moves, turns or scales the shape at all.
+bool is_placed(const BenchScene& scene);
+
+// In the order of the tables. "crowd" and "crowd_in_view" are of the series only: cubes of which one in a hundred is in
+// view, and just those.
 const std::vector<std::string>& scene_names();
 
-// `width` and `height` 0: the scene's own size. Error(usage) for an unknown name.
-BenchScene make_bench_scene(const std::string& name, int width, int height);
+// `width` and `height` 0: the scene's own size. `amount`: how many there are of what the scene has many of, triangles
+// (heavy: the next grid's), layers (overdraw) or cubes (many, crowd); 0: the scene's own number. Error(usage) for an
+// unknown name, and for an amount out of the scene's range.
+BenchScene make_bench_scene(const std::string& name, int width, int height, int amount);
 
 }  // namespace morphcl::bench

@@ -45,7 +45,7 @@ GlScene::GlScene(const BenchScene& scene) : mode_(scene.surface == Surface::line
   gl::BindVertexArray(vertex_array);
   upload_vertices(scene);
   upload_indices(scene);
-  if (scene.placements.size() > 1) upload_placements(scene);
+  if (is_placed(scene)) upload_placements(scene);
 
   const GLuint program = make_program(scene);
   gl::UseProgram(program);

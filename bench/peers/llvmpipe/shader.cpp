@@ -80,7 +80,7 @@ GLuint compile(GLenum stage, const std::string& source) {
 GLuint make_program(const BenchScene& scene) {
   std::string head = "#version 330 core\n";
   if (scene.surface != Surface::lines) head += "#define LIT\n";
-  if (scene.placements.size() > 1) head += "#define PLACED\n";
+  if (is_placed(scene)) head += "#define PLACED\n";
   head += fmt::format("#define INTERPOLATION {}\n", scene.surface == Surface::flat ? "flat" : "smooth");
   head += fmt::format("#define BASE_COLOR vec3({}, {}, {})\n#define AMBIENT {}\n", base_color.r, base_color.g,
                       base_color.b, ambient);

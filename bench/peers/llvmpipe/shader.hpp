@@ -10,7 +10,7 @@ namespace morphcl::bench {
 enum Attribute : GLuint { position_0, position_1, normal_0, normal_1, placement };  // placement: a mat4, 4 locations
 
 // A linked program with uniforms mat4 world_to_clip, vec3 light, float t. A flat surface has its normal once a
-// triangle; a scene with a single placement has no placement matrix. Error(internal) with the compiler's log.
+// triangle; a scene whose shape is not placed has no placement matrix. Error(internal) with the compiler's log.
 GLuint make_program(const BenchScene& scene);
 
 }  // namespace morphcl::bench

@@ -1,0 +1,19 @@
+# Every scene draws, and not nothing.
+foreach(scene IN ITEMS morph heavy overdraw_btf overdraw_ftb many wire)
+  add_test(NAME bench/draw_${scene} COMMAND morphcl_bench_draw ${scene} --frames 1 --size 80x60)
+  set_tests_properties(bench/draw_${scene} PROPERTIES PASS_REGULAR_EXPRESSION "\"covered\":[1-9]")
+endforeach()
+foreach(scene_amount IN ITEMS heavy/10000 overdraw_ftb/3 crowd/1000 crowd_in_view/1000 rig/7)
+  string(REPLACE "/" ";" parts ${scene_amount})
+  list(GET parts 0 scene)
+  list(GET parts 1 amount)
+  add_test(NAME bench/draw_${scene}_${amount}
+    COMMAND morphcl_bench_draw ${scene} --amount ${amount} --frames 1 --size 80x60)
+  set_tests_properties(bench/draw_${scene}_${amount} PROPERTIES PASS_REGULAR_EXPRESSION "\"covered\":[1-9]")
+endforeach()
+
+# The tool draws the shot of a scene as morphcl_bench_draw draws the scene.
+foreach(scene IN ITEMS morph heavy wire)
+  add_test(NAME bench/shot_${scene} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/shot_smoke_test.sh $<TARGET_FILE:morphcl_bench_shot>
+    $<TARGET_FILE:morphcl_bench_draw> $<TARGET_FILE:morphcl_bench_picture> $<TARGET_FILE:morphcl_tool> ${scene})
+endforeach()
