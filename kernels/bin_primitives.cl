@@ -17,7 +17,7 @@ typedef struct {
   PagedBins fragments, entries;
   global ulong* fragment_keys;    // bits of depth << 32 | id
   global ushort* fragment_places; // row << 6 | column in the tile
-  global uint* entry_triangles;   // index into the chunk's large triangles
+  global uint* entry_triangles;   // index into the chunk's large triangles, perhaps with ENTIRE_TILE
   global LargeTriangle* large;
   uint large_count, large_capacity;
   int width, height, tiles_x;
@@ -77,12 +77,15 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   for (int tile_y = first_y / TILE; tile_y <= last_y / TILE; tile_y++)
     for (int tile_x = first_x / TILE; tile_x <= last_x / TILE; tile_x++) {
       const int px = tile_x * TILE * SUBPIXELS + HALF_PIXEL, py = tile_y * TILE * SUBPIXELS + HALF_PIXEL;
-      bool misses = false;
-      for (int e = 0; e < 3; e++)
-        misses |= edge_value(dx[e], dy[e], vx[e], vy[e], px, py) + max(-dy[e], 0) * reach + max(dx[e], 0) * reach < 0;
+      bool misses = false, covers = true;
+      for (int e = 0; e < 3; e++) {
+        const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py);
+        misses |= value + max(-dy[e], 0) * reach + max(dx[e], 0) * reach < 0;
+        covers &= value + min(-dy[e], 0) * reach + min(dx[e], 0) * reach >= 0;
+      }
       if (misses) continue;
       const uint at = next_entry(&bins->entries, (uint)(tile_y * bins->tiles_x + tile_x));
-      if (at < bins->entries.capacity * PAGE) bins->entry_triangles[at] = number;
+      if (at < bins->entries.capacity * PAGE) bins->entry_triangles[at] = number | (covers ? ENTIRE_TILE : 0u);
     }
 }
 
@@ -252,7 +255,7 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
 }
 
 kernel void bin_primitives(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                           global const BlockConstants* restrict blocks, global const uint* restrict indices,
+                           global const uint* restrict block_draw, global const uint* restrict indices,
                            global const int4* restrict vertices, global const uint* restrict clip_source,
                            global const uint* restrict clip_count, global uint* restrict fragment_heads,
                            global uint* restrict fragment_next, global ulong* restrict fragment_keys,
@@ -281,11 +284,12 @@ kernel void bin_primitives(constant const FrameConstants* restrict frame, global
 
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-    global const DrawConstants* draw = &draws[blocks[block].draw];
+    global const DrawConstants* draw = &draws[block_draw[block]];
+    const uint first = (block - draw->first_block) * LANES;
     if (draw->flags & DRAW_LINES)
-      bin_line_block(&bins, draw, indices, vertices, blocks[block].first, block * LANES * 8);
+      bin_line_block(&bins, draw, indices, vertices, first, block * LANES * 8);
     else
-      bin_triangle_block(&bins, draw, indices, vertices, blocks[block].first, block * LANES * 8);
+      bin_triangle_block(&bins, draw, indices, vertices, first, block * LANES * 8);
   }
 
   if (frame->clips) {
@@ -296,7 +300,7 @@ kernel void bin_primitives(constant const FrameConstants* restrict frame, global
     }
     const uint end_slot = min(first_slot + status[chunk].clipped, frame->clip_capacity);
     for (uint slot = first_slot; slot < end_slot; slot++)
-      bin_clipped(&bins, &draws[blocks[clip_source[slot] / LANES].draw],
+      bin_clipped(&bins, &draws[block_draw[clip_source[slot] / LANES]],
                   vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clip_count[slot], clip_source[slot] * 8);
     if (total > frame->clip_capacity) atomic_or(overflow, 1u);
   }

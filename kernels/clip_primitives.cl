@@ -33,7 +33,7 @@ static inline bool needs_clipping(global const int4* vertices, uint a, uint b, u
 }
 
 kernel void count_clipped(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                          global const BlockConstants* restrict blocks, global const uint* restrict indices,
+                          global const uint* restrict block_draw, global const uint* restrict indices,
                           global const int4* restrict vertices, global const uint* restrict vertex_status,
                           uint vertex_chunks, global ChunkStatus* restrict status) {
   const uint chunk = get_global_id(0);
@@ -42,9 +42,9 @@ kernel void count_clipped(constant const FrameConstants* restrict frame, global 
   if (outside) {
     const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
     for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-      global const DrawConstants* draw = &draws[blocks[block].draw];
+      global const DrawConstants* draw = &draws[block_draw[block]];
       for (uint lane = 0; lane < LANES; lane++) {
-        const uint primitive = blocks[block].first + lane;
+        const uint primitive = (block - draw->first_block) * LANES + lane;
         count += needs_clipping(vertices, corner_record(draw, indices, 0, primitive),
                                 corner_record(draw, indices, 1, primitive), corner_record(draw, indices, 2, primitive));
       }
@@ -127,7 +127,7 @@ static inline int cut_by_plane(const Corner* in, int count, Corner* out, int pla
 }
 
 kernel void clip_primitives(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                            global const TargetConstants* restrict targets, global const BlockConstants* restrict blocks,
+                            global const TargetConstants* restrict targets, global const uint* restrict block_draw,
                             global const uint* restrict indices, global const float* restrict mesh_data,
                             global int4* restrict vertices, global const ChunkStatus* restrict status,
                             global uint* restrict clip_source, global uint* restrict clip_count,
@@ -138,9 +138,9 @@ kernel void clip_primitives(constant const FrameConstants* restrict frame, globa
   for (uint i = 0; i < chunk; i++) slot += status[i].clipped;
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-    global const DrawConstants* draw = &draws[blocks[block].draw];
+    global const DrawConstants* draw = &draws[block_draw[block]];
     for (uint lane = 0; lane < LANES; lane++) {
-      const uint primitive = blocks[block].first + lane;
+      const uint primitive = (block - draw->first_block) * LANES + lane;
       uint record[3];
       for (uint i = 0; i < 3; i++) record[i] = corner_record(draw, indices, i, primitive);
       if (!needs_clipping(vertices, record[0], record[1], record[2])) continue;

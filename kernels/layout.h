@@ -15,6 +15,7 @@
 #define SUBPIXEL_BITS 8       // vertices are snapped to 1/256 pixel
 #define SMALL_PIXELS 4        // a triangle over at most 4 x 4 pixel centres is rasterised while it is binned
 #define PAGE 64               // entries a page of the bins
+#define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
 #define CLIP_VERTICES 8       // a triangle clipped by five planes has at most 8 corners
 #define GROUPS_PER_CHUNK 64   // vertex groups a work-item transforms
 
@@ -47,7 +48,7 @@ typedef struct {
   uint flags;
   uint first_group;      // of this draw's vertices; vertex i is record first_group * 16 + i
   uint group_count;
-  uint first_block, block_count;
+  uint first_block, block_count;  // lane l of block b is primitive (b - first_block) * 16 + l of the mesh
   uint positions;        // float index of x in the mesh data; y and z follow at distance `pitch`
   uint normals;
   uint colors;           // r, g, b, a planes
@@ -97,12 +98,10 @@ typedef struct {
   uint fragment_pages, entry_pages, large_capacity;  // of one chunk
   uint writes_color, writes_depth;
   uint clips;              // 0: the plan proved that nothing needs clipping
+  uint divides;            // 0: w is 1 everywhere
+  uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
+  uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written
 } FrameConstants;
-
-// A block belongs to one draw; lane l is primitive first + l of its mesh.
-typedef struct {
-  uint draw, first;
-} BlockConstants;
 
 // What a chunk found out while binning, for the host: pools that were too small are grown and the frame is binned again.
 typedef struct {

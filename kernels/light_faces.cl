@@ -12,15 +12,15 @@
 #include "light.h"
 
 kernel void light_faces(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                        global const BlockConstants* restrict blocks, global const uint* restrict indices,
+                        global const uint* restrict block_draw, global const uint* restrict indices,
                         global const LightConstants* restrict lights, global const int4* restrict attributes,
                         global int4* restrict face_light) {
   const uint chunk = get_global_id(0);
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-    global const DrawConstants* draw = &draws[blocks[block].draw];
+    global const DrawConstants* draw = &draws[block_draw[block]];
     if (!(draw->flags & DRAW_FLAT)) continue;
-    global const uint* corner_a = indices + draw->indices + blocks[block].first;
+    global const uint* corner_a = indices + draw->indices + (block - draw->first_block) * LANES;
     global const uint* corner_b = corner_a + draw->index_pitch;
     global const uint* corner_c = corner_b + draw->index_pitch;
     global const int4* positions = attributes + (size_t)draw->first_group * LANES;

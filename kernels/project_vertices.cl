@@ -1,13 +1,14 @@
 #pragma OPENCL FP_CONTRACT OFF
 // project_vertices: morph, transform and snap vertices, and make the attributes that shading needs.
 //
-// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, the draw of each vertex group.
+// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, the draw of each vertex group,
+//      the numbers of the chunks that changed since the frame before.
 // Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth, bits of 1/w}; {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
 //      colors[i]     float4: vertex colour after its deltas, clamped to [0, 1]
 //      status[chunk] nonzero when a vertex of the chunk needs clipping
 // Steps, 16 vertices at a time: 1 morph the position, 2 to clip space, 3 outcode, 4 snap, 5 attributes.
-// One work-item walks a chunk of GROUPS_PER_CHUNK groups.
+// One work-item walks a chunk of GROUPS_PER_CHUNK groups. Where w is 1 everywhere nothing is divided, with the same result.
 
 #include "layout.h"
 #include "vector.h"
@@ -50,11 +51,12 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
   return min(max(value, (float16)0.0f), (float16)1.0f);
 }
 
-kernel void project_vertices(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
+kernel void project_vertices(constant const FrameConstants* restrict frame, global const uint* restrict chunks,
+                             global const DrawConstants* restrict draws,
                              global const TargetConstants* restrict targets, global const uint* restrict group_draw,
                              global const float* restrict mesh_data, global int4* restrict vertices,
                              global int4* restrict attributes, global int4* restrict colors, global uint* restrict status) {
-  const uint chunk = get_global_id(0);
+  const uint chunk = chunks[get_global_id(0)];
   const uint end = min((chunk + 1) * GROUPS_PER_CHUNK, frame->group_count);
   int16 any_outside = 0;
   for (uint group = chunk * GROUPS_PER_CHUNK; group < end; group++) {
@@ -69,13 +71,23 @@ kernel void project_vertices(constant const FrameConstants* restrict frame, glob
     const int16 outside = code != 0;
     any_outside |= outside;
 
-    const float16 w = select(clip.w, (float16)1.0f, outside);
-    const int16 snapped_x = snap(select(clip.x, (float16)0.0f, outside), w, frame->scale_x, frame->offset_x);
-    const int16 snapped_y = snap(select(clip.y, (float16)0.0f, outside), w, frame->scale_y, frame->offset_y);
-    const float16 inverse_w = 1.0f / w;
-    const float16 depth = select(clip.z, (float16)0.0f, outside) * inverse_w;
-    store_records(select(snapped_x, (int16)OUTSIDE, outside), select(snapped_y, code, outside),
-                  as_int16(depth), as_int16(inverse_w), vertices + record);
+    const float16 clip_x = select(clip.x, (float16)0.0f, outside), clip_y = select(clip.y, (float16)0.0f, outside);
+    const float16 clip_z = select(clip.z, (float16)0.0f, outside);
+    ScreenPoints screen;
+    if (frame->divides) {
+      const float16 w = select(clip.w, (float16)1.0f, outside);
+      screen.x = snap(clip_x, w, frame->scale_x, frame->offset_x);
+      screen.y = snap(clip_y, w, frame->scale_y, frame->offset_y);
+      screen.inverse_w = 1.0f / w;
+      screen.depth = clip_z * screen.inverse_w;
+    } else {
+      screen.x = snap_undivided(clip_x, frame->scale_x, frame->offset_x);
+      screen.y = snap_undivided(clip_y, frame->scale_y, frame->offset_y);
+      screen.inverse_w = 1.0f;
+      screen.depth = clip_z;
+    }
+    store_records(select(screen.x, (int16)OUTSIDE, outside), select(screen.y, code, outside), as_int16(screen.depth),
+                  as_int16(screen.inverse_w), vertices + record);
 
     if (draw->flags & DRAW_SMOOTH) store_normals(draw, targets, mesh_data, at, attributes + record);
     if (draw->flags & DRAW_FLAT) store_records(as_int16(x), as_int16(y), as_int16(z), (int16)0, attributes + record);

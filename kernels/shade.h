@@ -10,7 +10,7 @@
 typedef struct {
   constant const FrameConstants* frame;
   global const DrawConstants* draws;
-  global const BlockConstants* blocks;
+  global const uint* block_draw;
   global const uint* indices;
   global const LightConstants* lights;
   global const int4 *vertices, *attributes, *colors, *face_light;
@@ -22,13 +22,23 @@ typedef struct {
 typedef struct {
   int x, y;  // of the first pixel
   float16 depth;
-  uint16 id;  // NO_ID where nothing is visible
-  uint first_id;
-  bool same;  // all ids are equal
 } Pixels;
 
-// Perspective-correct weights of the source triangle's vertices, not divided by their sum; all have the sign of the
-// triangle's orientation on the screen.
+// What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
+typedef struct {
+  global const DrawConstants* draw;
+  Irradiance color;       // base colour times face light
+  int16 x[3], y[3];       // corners on the screen, sub-pixels
+  float16 inverse_w[3];
+  EyeVector normal[3];    // at the mesh's vertices; smooth draws
+  Irradiance tint[3];     // vertex colours
+  bool any_cut;           // some lane's corners are those that clipping left;
+  int16 is_cut;           // their weights at the mesh's vertices:
+  float16 cut[3][3];      // [corner][vertex]
+} Surface;
+
+// Perspective-correct weights of the mesh's vertices, not divided by their sum; all have the sign of the triangle's
+// orientation on the screen.
 typedef struct {
   float16 vertex[3];
 } Weights;
@@ -37,6 +47,9 @@ ALWAYS_INLINE float16 eye_distance(constant const FrameConstants* frame, float16
   return frame->parallel ? -depth : frame->near / depth;
 }
 
+// ---- what is gathered -----------------------------------------------------------------------------------------------
+
+// Record index[0] in all lanes, or record index[lane] in each.
 ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2, int16* f3) {
   if (same) {
     const int4 record = records[index[0]];
@@ -59,75 +72,100 @@ ALWAYS_INLINE uint slot_of(const Shader* s, uint number) {
   return low;
 }
 
-ALWAYS_INLINE Weights screen_weights(const Shader* s, Pixels p, uint corner[3][LANES]) {
-  int16 x[3], y[3], unused, inverse_w[3];
-  for (int i = 0; i < 3; i++) fetch(s->vertices, corner[i], p.same, &x[i], &y[i], &unused, &inverse_w[i]);
+// Replaces the corners of primitives that were cut by those of the piece.
+ALWAYS_INLINE void gather_cuts(const Shader* s, const uint* id, bool same, uint corner[3][LANES], Surface* surface) {
+  surface->any_cut = false;
+  float cut[3][3][LANES];
+  int is_cut[LANES];
+  for (int lane = 0; lane < (same ? 1 : LANES); lane++) {
+    const uint piece = id[lane] & 7u;
+    is_cut[lane] = 0;
+    if (piece == 0) continue;
+    is_cut[lane] = -1, surface->any_cut = true;
+    const uint slot = slot_of(s, id[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
+    for (int i = 0; i < 3; i++) {
+      const float4 weights = s->clip_weights[slot * CLIP_VERTICES + local_corner[i]];
+      cut[i][0][lane] = weights.x, cut[i][1][lane] = weights.y, cut[i][2][lane] = weights.z;
+      corner[i][lane] = s->frame->first_clip_vertex + slot * CLIP_VERTICES + local_corner[i];
+    }
+  }
+  if (!surface->any_cut) return;
+  surface->is_cut = same ? (int16)(is_cut[0]) : vload16(0, is_cut);
+  for (int i = 0; i < 3; i++)
+    for (int v = 0; v < 3; v++) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
+}
+
+// The ids (id[0] alone when `same`) all belong to the draw.
+ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, const uint* id, bool same, Surface* surface) {
+  surface->draw = draw;
+  surface->color.r = draw->base_color[0], surface->color.g = draw->base_color[1], surface->color.b = draw->base_color[2];
+  int16 f0, f1, f2, unused;
+  if (draw->flags & DRAW_FLAT) {
+    uint number[LANES];
+    for (int lane = 0; lane < (same ? 1 : LANES); lane++) number[lane] = id[lane] >> 3;
+    fetch(s->face_light, number, same, &f0, &f1, &f2, &unused);
+    surface->color.r *= as_float16(f0), surface->color.g *= as_float16(f1), surface->color.b *= as_float16(f2);
+  }
+  if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return;
+
+  uint vertex[3][LANES], corner[3][LANES];
+  const uint first_number = draw->first_block * LANES, first_vertex = draw->first_group * LANES;
+  for (int lane = 0; lane < (same ? 1 : LANES); lane++)
+    for (int i = 0; i < 3; i++)
+      corner[i][lane] = vertex[i][lane] =
+          first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id[lane] >> 3) - first_number)];
+  gather_cuts(s, id, same, corner, surface);
+  for (int i = 0; i < 3; i++) {
+    fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &unused, &f0);
+    surface->inverse_w[i] = as_float16(f0);
+  }
+  if (draw->flags & DRAW_SMOOTH)
+    for (int i = 0; i < 3; i++) {
+      fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
+      surface->normal[i].x = as_float16(f0), surface->normal[i].y = as_float16(f1), surface->normal[i].z = as_float16(f2);
+    }
+  if (draw->flags & DRAW_VERTEX_COLORS)
+    for (int i = 0; i < 3; i++) {
+      fetch(s->colors, vertex[i], same, &f0, &f1, &f2, &unused);
+      surface->tint[i].r = as_float16(f0), surface->tint[i].g = as_float16(f1), surface->tint[i].b = as_float16(f2);
+    }
+}
+
+// ---- what is computed for each pixel --------------------------------------------------------------------------------
+
+ALWAYS_INLINE float16 weighted(Weights w, float16 a, float16 b, float16 c) {
+  return fma(w.vertex[0], a, fma(w.vertex[1], b, w.vertex[2] * c));
+}
+
+ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels p) {
   const int16 px = (p.x + LANE) * SUBPIXELS + HALF_PIXEL, py = p.y * SUBPIXELS + HALF_PIXEL;
   float16 dx[3], dy[3];
-  for (int i = 0; i < 3; i++) dx[i] = convert_float16(x[i] - px), dy[i] = convert_float16(y[i] - py);
+  for (int i = 0; i < 3; i++) dx[i] = convert_float16(surface->x[i] - px), dy[i] = convert_float16(surface->y[i] - py);
   Weights w;
   w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
   w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
   w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
   if (!s->frame->parallel)
-    for (int i = 0; i < 3; i++) w.vertex[i] *= as_float16(inverse_w[i]);
-  return w;
+    for (int i = 0; i < 3; i++) w.vertex[i] *= surface->inverse_w[i];
+  if (!surface->any_cut) return w;
+  Weights source;
+  for (int v = 0; v < 3; v++)
+    source.vertex[v] = select(w.vertex[v], weighted(w, surface->cut[0][v], surface->cut[1][v], surface->cut[2][v]), surface->is_cut);
+  return source;
 }
 
-// Weights at cut corners become weights at the source triangle's vertices; slot is NO_ID in lanes that were not cut.
-ALWAYS_INLINE Weights source_weights(const Shader* s, Weights cut, const uint* slot, const uint* piece) {
-  float in[3][LANES], out[3][LANES];
-  for (int i = 0; i < 3; i++) vstore16(cut.vertex[i], 0, in[i]), vstore16(cut.vertex[i], 0, out[i]);
-  for (int lane = 0; lane < LANES; lane++) {
-    if (slot[lane] == NO_ID) continue;
-    global const float4* weights = s->clip_weights + slot[lane] * CLIP_VERTICES;
-    const float4 a = weights[0], b = weights[piece[lane]], c = weights[piece[lane] + 1];
-    out[0][lane] = fma(in[0][lane], a.x, fma(in[1][lane], b.x, in[2][lane] * c.x));
-    out[1][lane] = fma(in[0][lane], a.y, fma(in[1][lane], b.y, in[2][lane] * c.y));
-    out[2][lane] = fma(in[0][lane], a.z, fma(in[1][lane], b.z, in[2][lane] * c.z));
-  }
-  Weights w;
-  for (int i = 0; i < 3; i++) w.vertex[i] = vload16(0, out[i]);
-  return w;
-}
-
-ALWAYS_INLINE Weights vertex_weights(const Shader* s, Pixels p, const uint* id, uint vertex[3][LANES]) {
-  uint corner[3][LANES], slot[LANES], piece[LANES];
-  bool any_cut = false;
-  const int lanes = p.same ? 1 : LANES;
-  for (int lane = 0; lane < lanes; lane++) {
-    piece[lane] = id[lane] & 7u, slot[lane] = NO_ID;
-    for (int i = 0; i < 3; i++) corner[i][lane] = vertex[i][lane];
-    if (piece[lane] == 0) continue;
-    any_cut = true;
-    slot[lane] = slot_of(s, id[lane] >> 3);
-    const uint first = s->frame->first_clip_vertex + slot[lane] * CLIP_VERTICES;
-    corner[0][lane] = first, corner[1][lane] = first + piece[lane], corner[2][lane] = first + piece[lane] + 1;
-  }
-  const Weights w = screen_weights(s, p, corner);
-  if (!any_cut) return w;
-  for (int lane = lanes; lane < LANES; lane++) slot[lane] = slot[0], piece[lane] = piece[0];
-  return source_weights(s, w, slot, piece);
-}
-
-ALWAYS_INLINE Irradiance interpolate(global const int4* records, uint vertex[3][LANES], bool same, Weights w) {
-  int16 x[3], y[3], z[3], unused;
-  for (int i = 0; i < 3; i++) fetch(records, vertex[i], same, &x[i], &y[i], &z[i], &unused);
-  Irradiance sum;
-  sum.r = fma(w.vertex[0], as_float16(x[0]), fma(w.vertex[1], as_float16(x[1]), w.vertex[2] * as_float16(x[2])));
-  sum.g = fma(w.vertex[0], as_float16(y[0]), fma(w.vertex[1], as_float16(y[1]), w.vertex[2] * as_float16(y[2])));
-  sum.b = fma(w.vertex[0], as_float16(z[0]), fma(w.vertex[1], as_float16(z[1]), w.vertex[2] * as_float16(z[2])));
-  return sum;
-}
-
-ALWAYS_INLINE Irradiance smooth_light(const Shader* s, global const DrawConstants* draw, Pixels p, uint vertex[3][LANES], Weights w) {
-  const Irradiance n = interpolate(s->attributes, vertex, p.same, w);
-  const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
-  // The weights' sign goes, and on a double-sided draw the normal of a back face is turned round: both in one sign.
-  int16 negative = total < 0.0f;
-  if (draw->flags & DRAW_DOUBLE_SIDED) negative = draw->flags & DRAW_MIRRORED ? (int16)(0) : (int16)(-1);
+ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, Pixels p, Weights w, float16 total) {
   EyeVector normal, position;
-  normal.x = select(n.r, -n.r, negative), normal.y = select(n.g, -n.g, negative), normal.z = select(n.b, -n.b, negative);
+  normal.x = weighted(w, surface->normal[0].x, surface->normal[1].x, surface->normal[2].x);
+  normal.y = weighted(w, surface->normal[0].y, surface->normal[1].y, surface->normal[2].y);
+  normal.z = weighted(w, surface->normal[0].z, surface->normal[1].z, surface->normal[2].z);
+  // The weights' sign goes, and on a double-sided draw the normal of a back face is turned round: both in one sign.
+  const uint flags = surface->draw->flags;
+  int16 negative = total < 0.0f;
+  if (flags & DRAW_DOUBLE_SIDED) negative = flags & DRAW_MIRRORED ? (int16)(0) : (int16)(-1);
+  normal.x = select(normal.x, -normal.x, negative);
+  normal.y = select(normal.y, -normal.y, negative);
+  normal.z = select(normal.z, -normal.z, negative);
   position.x = position.y = position.z = 0.0f;
   if (!s->frame->has_point_lights) return irradiance(s->frame, s->lights, normal, position);
   const float16 reach = s->frame->parallel ? (float16)1.0f : eye_distance(s->frame, p.depth);
@@ -138,57 +176,44 @@ ALWAYS_INLINE Irradiance smooth_light(const Shader* s, global const DrawConstant
   return irradiance(s->frame, s->lights, normal, position);
 }
 
-// The lanes' ids all belong to one draw.
-ALWAYS_INLINE Irradiance shade_draw(const Shader* s, global const DrawConstants* draw, Pixels p, const uint* id) {
-  Irradiance color;
-  color.r = draw->base_color[0], color.g = draw->base_color[1], color.b = draw->base_color[2];
-  if (draw->flags & DRAW_FLAT) {
-    uint number[LANES];
-    for (int lane = 0; lane < (p.same ? 1 : LANES); lane++) number[lane] = id[lane] >> 3;
-    int16 r, g, b, unused;
-    fetch(s->face_light, number, p.same, &r, &g, &b, &unused);
-    color.r *= as_float16(r), color.g *= as_float16(g), color.b *= as_float16(b);
-  }
-  if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return color;
-
-  uint vertex[3][LANES];
-  for (int lane = 0; lane < (p.same ? 1 : LANES); lane++) {
-    const uint number = id[lane] >> 3, primitive = s->blocks[number / LANES].first + number % LANES;
-    for (int i = 0; i < 3; i++)
-      vertex[i][lane] = draw->first_group * LANES + s->indices[draw->indices + i * draw->index_pitch + primitive];
-  }
-  const Weights w = vertex_weights(s, p, id, vertex);
-  if (draw->flags & DRAW_SMOOTH) {
-    const Irradiance light = smooth_light(s, draw, p, vertex, w);
+ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, Pixels p) {
+  Irradiance color = surface->color;
+  const uint flags = surface->draw->flags;
+  if (!(flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return color;
+  const Weights w = vertex_weights(s, surface, p);
+  const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
+  if (flags & DRAW_SMOOTH) {
+    const Irradiance light = smooth_light(s, surface, p, w, total);
     color.r *= light.r, color.g *= light.g, color.b *= light.b;
   }
-  if (draw->flags & DRAW_VERTEX_COLORS) {
-    const Irradiance tint = interpolate(s->colors, vertex, p.same, w);
-    const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
-    color.r *= tint.r / total, color.g *= tint.g / total, color.b *= tint.b / total;
+  if (flags & DRAW_VERTEX_COLORS) {
+    color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;
+    color.g *= weighted(w, surface->tint[0].g, surface->tint[1].g, surface->tint[2].g) / total;
+    color.b *= weighted(w, surface->tint[0].b, surface->tint[1].b, surface->tint[2].b) / total;
   }
   return color;
 }
 
-ALWAYS_INLINE Irradiance shade(const Shader* s, Pixels p) {
-  uint id[LANES];
-  if (p.same) {
-    id[0] = p.first_id;
-    return shade_draw(s, &s->draws[s->blocks[p.first_id / (8 * LANES)].draw], p, id);
-  }
+ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->block_draw[id / (8 * LANES)]]; }
+
+// Pixels that show several primitives (NO_ID: none), one draw after the other.
+ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   Irradiance result;
   result.r = result.g = result.b = 0.0f;
-  int16 waiting = p.id != NO_ID;
+  int16 waiting = ids != NO_ID;
   while (any_lane(waiting)) {
     // The draw of the first waiting lane, and all lanes whose ids belong to it; the others repeat that lane's id.
     const ulong2 bytes = mask_bytes(waiting);
-    vstore16(p.id, 0, id);
+    uint id[LANES];
+    vstore16(ids, 0, id);
     const uint first_id = id[bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y)];
-    global const DrawConstants* draw = &s->draws[s->blocks[first_id / (8 * LANES)].draw];
+    global const DrawConstants* draw = draw_of(s, first_id);
     const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
-    const int16 here = waiting & (p.id >= low) & (p.id <= high);
-    vstore16(select((uint16)(first_id), p.id, as_uint16(here)), 0, id);
-    const Irradiance color = shade_draw(s, draw, p, id);
+    const int16 here = waiting & (ids >= low) & (ids <= high);
+    vstore16(select((uint16)(first_id), ids, as_uint16(here)), 0, id);
+    Surface surface;
+    gather_surface(s, draw, id, false, &surface);
+    const Irradiance color = surface_color(s, &surface, p);
     result.r = select(result.r, color.r, here);
     result.g = select(result.g, color.g, here);
     result.b = select(result.b, color.b, here);

@@ -1,12 +1,14 @@
 #pragma OPENCL FP_CONTRACT OFF
 // shade_tiles: what is visible at each pixel, its colour and its distance.
 //
-// In:  the chunks' bins, vertices, attributes, colours, face light, clipped corners, draws, blocks, lights.
-// Out: planes of half R, G, B, A (premultiplied) and float Z, rows of row_pitch elements.
+// In:  the chunks' bins, vertices, attributes, colours, face light, clipped corners, draws, lights.
+// Out: planes of half R, G, B, A (premultiplied) and float Z, rows of row_pitch elements;
+//      blank_blocks[tile]: bit b set when block b of the tile holds the background, for the next frame to leave as it is.
 // Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle that
 //   covers a block in front of all it holds replaces the block by a note (hierarchical depth); 4 shade each visible
 //   sample once, 16 pixels of a row at a time, and store.
-// A sample keeps the greatest depth, of equal ones the lowest id, so the order of merging does not matter.
+// A sample keeps the greatest depth, of equal ones the lowest id, so the order of merging does not matter. Where the plan
+// proved that no sample is covered twice, samples are placed without being compared.
 // One work-item draws a tile.
 
 #include "layout.h"
@@ -15,7 +17,7 @@
 #include "light.h"
 #include "shade.h"
 
-#define CLEAR NO_ID          // a block that nothing touched
+#define CLEAR NO_ID            // a block that nothing touched
 #define PER_PIXEL (NO_ID - 1)  // a block whose samples stand in the tile's planes; else a block is one large triangle
 
 typedef struct {
@@ -33,26 +35,71 @@ typedef struct {
   float16 least, greatest;  // depths in the block
 } Blocks;
 
-static inline void merge_fragments(Tile tile, global const ulong* keys, global const ushort* places,
-                                   global const uint* next, uint head) {
+// ---- fragments ------------------------------------------------------------------------------------------------------
+
+typedef struct {
+  global const ulong* keys;
+  global const ushort* places;
+  global const uint* next;
+} Fragments;
+
+static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
   while (head) {
-    const uint page = (head - 1) / PAGE, count = head - page * PAGE;
-    for (uint i = page * PAGE; i < page * PAGE + count; i++) {
-      const ulong key = keys[i];
+    const uint page = (head - 1) / PAGE, end = head;
+    for (uint i = page * PAGE; i < end; i++) {
+      const ulong key = fragments.keys[i];
       const float depth = as_float((uint)(key >> 32));
       const uint id = (uint)key;
-      const int place = places[i];
+      const int place = fragments.places[i];
       const float held = tile.depth[place];
       if (depth > held || (depth == held && id < tile.id[place])) tile.depth[place] = depth, tile.id[place] = id;
     }
-    head = next[page] ? (next[page] + 1) * PAGE : 0;
+    head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
   }
 }
+
+static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
+  while (head) {
+    const uint page = (head - 1) / PAGE, end = head;
+    for (uint i = page * PAGE; i < end; i++) {
+      const ulong key = fragments.keys[i];
+      const int place = fragments.places[i];
+      tile.depth[place] = as_float((uint)(key >> 32)), tile.id[place] = (uint)key;
+    }
+    head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
+  }
+}
+
+// What the tile's planes hold, block by block.
+static inline void survey_blocks(Tile tile, Blocks* blocks) {
+  float least_of[LANES], greatest_of[LANES];
+  uint content[LANES];
+  for (int block = 0; block < LANES; block++) {
+    float16 low = INFINITY, high = -INFINITY;
+    uint16 lowest_id = NO_ID;
+    for (int y = 0; y < TILE_BLOCK; y++) {
+      const int at = ((block >> 2) * TILE_BLOCK + y) * TILE + (block & 3) * TILE_BLOCK;
+      const float16 held = vload16(0, tile.depth + at);
+      low = min(low, held), high = max(high, held);
+      lowest_id = min(lowest_id, vload16(0, tile.id + at));
+    }
+    least_of[block] = least(low), greatest_of[block] = greatest(high);
+    content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
+  }
+  blocks->least = vload16(0, least_of), blocks->greatest = vload16(0, greatest_of);
+  blocks->content = vload16(0, content);
+}
+
+// ---- large triangles ------------------------------------------------------------------------------------------------
 
 // Depth of a large triangle in this tile is fma(depth_dx, column, fma(depth_dy, row, corner)), column and row counted from
 // the tile's first pixel: rounding is monotone, so a block's extremes lie at its corners.
 static inline float tile_depth(global const LargeTriangle* t, Tile tile) {
   return large_depth_at(*t, tile.x * SUBPIXELS + HALF_PIXEL, tile.y * SUBPIXELS + HALF_PIXEL);
+}
+
+static inline float16 depths_in_row(global const LargeTriangle* t, float corner, int column, int row) {
+  return fma((float16)(t->depth_dx), convert_float16(LANE + column), (float16)(fma(t->depth_dy, (float)row, corner)));
 }
 
 static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large, float far_depth) {
@@ -65,89 +112,124 @@ static inline void write_out_block(Tile tile, int column, int row, uint content,
   }
   global const LargeTriangle* t = &large[content];
   const float corner = tile_depth(t, tile);
-  const float16 columns = convert_float16(LANE + column);
   for (int y = row; y < row + TILE_BLOCK; y++) {
-    vstore16(fma((float16)(t->depth_dx), columns, (float16)(fma(t->depth_dy, (float)y, corner))), 0, tile.depth + y * TILE + column);
+    vstore16(depths_in_row(t, corner, column, y), 0, tile.depth + y * TILE + column);
     vstore16((uint16)(t->id), 0, tile.id + y * TILE + column);
   }
 }
 
-static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint number, float far_depth) {
-  global const LargeTriangle* t = &large[number];
+// A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel and its change to the right and
+// downwards; at least 0 inside. They fit 32 bits where the edge crosses the tile; where it does not, it is replaced by one
+// that all samples pass.
+typedef struct {
+  int value[3], step_x[3], step_y[3];
+} TileEdges;
+
+static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile, TileEdges* edges, int16* misses, int16* covers) {
   const int px = tile.x * SUBPIXELS + HALF_PIXEL, py = tile.y * SUBPIXELS + HALF_PIXEL;
   const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};
   const int vx[3] = {t->ax, t->ax + t->d1x, t->ax + t->d2x}, vy[3] = {t->ay, t->ay + t->d1y, t->ay + t->d2y};
-  // Edge values in units of whole pixel steps fit 32 bits where the edge crosses the tile; where it does not, it is
-  // replaced by one that all samples pass.
-  int value[3], step_x[3], step_y[3];
-  int16 misses = 0, covers = -1;
   for (int e = 0; e < 3; e++) {
     const long exact = edge_value(dx[e], dy[e], vx[e], vy[e], px, py) >> SUBPIXEL_BITS;
-    step_x[e] = -dy[e], step_y[e] = dx[e];
-    if (exact + (min(0, step_x[e]) + (long)min(0, step_y[e])) * (TILE - 1) >= 0) {
-      value[e] = step_x[e] = step_y[e] = 0;
+    const int step_x = -dy[e], step_y = dx[e];
+    if (exact + (min(0, step_x) + (long)min(0, step_y)) * (TILE - 1) >= 0) {
+      edges->value[e] = edges->step_x[e] = edges->step_y[e] = 0;
       continue;
     }
-    value[e] = (int)exact;
-    const int16 at = value[e] + step_x[e] * BLOCK_X + step_y[e] * BLOCK_Y;
-    misses |= at + (max(0, step_x[e]) + max(0, step_y[e])) * (TILE_BLOCK - 1) < 0;
-    covers &= at + (min(0, step_x[e]) + min(0, step_y[e])) * (TILE_BLOCK - 1) >= 0;
+    edges->value[e] = (int)exact, edges->step_x[e] = step_x, edges->step_y[e] = step_y;
+    const int16 at = (int)exact + step_x * BLOCK_X + step_y * BLOCK_Y;
+    *misses |= at + (max(0, step_x) + max(0, step_y)) * (TILE_BLOCK - 1) < 0;
+    *covers &= at + (min(0, step_x) + min(0, step_y)) * (TILE_BLOCK - 1) >= 0;
   }
-  const float corner = tile_depth(t, tile), depth_dx = t->depth_dx, depth_dy = t->depth_dy;
-  const uint id = t->id;
-  const float16 left = convert_float16(BLOCK_X + (depth_dx < 0.0f ? TILE_BLOCK - 1 : 0));
-  const float16 right = convert_float16(BLOCK_X + (depth_dx < 0.0f ? 0 : TILE_BLOCK - 1));
-  const float16 top = convert_float16(BLOCK_Y + (depth_dy < 0.0f ? TILE_BLOCK - 1 : 0));
-  const float16 bottom = convert_float16(BLOCK_Y + (depth_dy < 0.0f ? 0 : TILE_BLOCK - 1));
-  const float16 least_depth = fma((float16)(depth_dx), left, fma((float16)(depth_dy), top, (float16)(corner)));
-  const float16 greatest_depth = fma((float16)(depth_dx), right, fma((float16)(depth_dy), bottom, (float16)(corner)));
-  misses |= greatest_depth < blocks->least;
-  const int16 replaces = covers & ~misses & (least_depth > blocks->greatest);
-  blocks->content = select(blocks->content, (uint16)(number), as_uint16(replaces));
-  blocks->least = select(blocks->least, least_depth, replaces);
-  blocks->greatest = select(blocks->greatest, greatest_depth, replaces);
+}
 
-  const int16 partly = ~misses & ~replaces;
-  if (!any_lane(partly)) return;
+// Puts the triangle's samples of one block into the tile's planes: those in front of what is held or, without a depth
+// test, all that it covers.
+static inline void draw_in_block(Tile tile, const TileEdges* edges, global const LargeTriangle* t, float corner, int column, int row,
+                                 bool tests_depth, float* least_depth, float* greatest_depth) {
+  int16 value[3];
+  for (int e = 0; e < 3; e++) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * row;
+  const uint id = t->id;
+  float16 least_held = INFINITY, greatest_held = -INFINITY;
+  for (int y = row; y < row + TILE_BLOCK; y++) {
+    local float* depths = tile.depth + y * TILE + column;
+    local uint* ids = tile.id + y * TILE + column;
+    const float16 depth = depths_in_row(t, corner, column, y), held = vload16(0, depths);
+    const uint16 held_id = vload16(0, ids);
+    int16 wins = (value[0] | value[1] | value[2]) >= 0;
+    if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
+    const float16 kept = select(held, depth, wins);
+    vstore16(kept, 0, depths);
+    vstore16(select(held_id, (uint16)(id), as_uint16(wins)), 0, ids);
+    least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
+    for (int e = 0; e < 3; e++) value[e] += edges->step_y[e];
+  }
+  *least_depth = least(least_held), *greatest_depth = greatest(greatest_held);
+}
+
+static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
+                                  global const LargeTriangle* t, float corner, float far_depth, bool tests_depth) {
   uint content[LANES];
   float least_of[LANES], greatest_of[LANES];
   vstore16(blocks->content, 0, content);
   vstore16(blocks->least, 0, least_of);
   vstore16(blocks->greatest, 0, greatest_of);
-  const ulong2 lanes = mask_bytes(partly);
-  for (int half_of = 0; half_of < 2; half_of++)
-    for (ulong bytes = half_of ? lanes.y : lanes.x; bytes;) {
-      const int in_half = lowest_lane(bytes), block = in_half + half_of * 8;
-      bytes = without_lane(bytes, in_half);
-      const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
-      if (content[block] != PER_PIXEL) write_out_block(tile, column, row, content[block], large, far_depth);
-      content[block] = PER_PIXEL;
-      int16 value0 = value[0] + step_x[0] * (column + LANE) + step_y[0] * row;
-      int16 value1 = value[1] + step_x[1] * (column + LANE) + step_y[1] * row;
-      int16 value2 = value[2] + step_x[2] * (column + LANE) + step_y[2] * row;
-      const float16 columns = convert_float16(LANE + column);
-      float16 least_held = INFINITY, greatest_held = -INFINITY;
-      for (int y = row; y < row + TILE_BLOCK; y++) {
-        local float* depths = tile.depth + y * TILE + column;
-        local uint* ids = tile.id + y * TILE + column;
-        const float16 depth = fma((float16)(depth_dx), columns, (float16)(fma(depth_dy, (float)y, corner)));
-        const float16 held = vload16(0, depths);
-        const uint16 held_id = vload16(0, ids);
-        const int16 wins = ((value0 | value1 | value2) >= 0) & ((depth > held) | ((depth == held) & (id < held_id)));
-        const float16 kept = select(held, depth, wins);
-        vstore16(kept, 0, depths);
-        vstore16(select(held_id, (uint16)(id), as_uint16(wins)), 0, ids);
-        least_held = min(least_held, kept);
-        greatest_held = max(greatest_held, kept);
-        value0 += step_y[0], value1 += step_y[1], value2 += step_y[2];
-      }
-      least_of[block] = least(least_held);
-      greatest_of[block] = greatest(greatest_held);
-    }
+  FOR_EACH_LANE(block, partly) {
+    const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
+    if (content[block] != PER_PIXEL) write_out_block(tile, column, row, content[block], large, far_depth);
+    content[block] = PER_PIXEL;
+    draw_in_block(tile, edges, t, corner, column, row, tests_depth, &least_of[block], &greatest_of[block]);
+  }
   blocks->content = vload16(0, content);
   blocks->least = vload16(0, least_of);
   blocks->greatest = vload16(0, greatest_of);
 }
+
+static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
+  const uint number = entry & ~ENTIRE_TILE;
+  global const LargeTriangle* t = &large[number];
+  const float corner = tile_depth(t, tile), depth_dx = t->depth_dx, depth_dy = t->depth_dy;
+  const int left = depth_dx < 0.0f ? TILE_BLOCK - 1 : 0, top = depth_dy < 0.0f ? TILE_BLOCK - 1 : 0;
+  const float16 least_depth = fma((float16)(depth_dx), convert_float16(BLOCK_X + left),
+                                  fma((float16)(depth_dy), convert_float16(BLOCK_Y + top), (float16)(corner)));
+  const float16 greatest_depth = fma((float16)(depth_dx), convert_float16(BLOCK_X + (TILE_BLOCK - 1 - left)),
+                                     fma((float16)(depth_dy), convert_float16(BLOCK_Y + (TILE_BLOCK - 1 - top)), (float16)(corner)));
+  int16 misses = greatest_depth < blocks->least, covers = -1;
+  if (!any_lane(~misses)) return;
+  TileEdges edges;
+  if (entry & ENTIRE_TILE)
+    for (int e = 0; e < 3; e++) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
+  else
+    find_covered_blocks(t, tile, &edges, &misses, &covers);
+  const int16 replaces = covers & ~misses & (least_depth > blocks->greatest);
+  blocks->content = select(blocks->content, (uint16)(number), as_uint16(replaces));
+  blocks->least = select(blocks->least, least_depth, replaces);
+  blocks->greatest = select(blocks->greatest, greatest_depth, replaces);
+  const int16 partly = ~misses & ~replaces;
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, corner, far_depth, true);
+}
+
+static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
+  const uint number = entry & ~ENTIRE_TILE;
+  if (entry & ENTIRE_TILE) {
+    blocks->content = number;
+    return;
+  }
+  global const LargeTriangle* t = &large[number];
+  int16 misses = 0, covers = -1;
+  TileEdges edges;
+  find_covered_blocks(t, tile, &edges, &misses, &covers);
+  blocks->content = select(blocks->content, (uint16)(number), as_uint16(covers));
+  const int16 partly = ~misses & ~covers;
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, tile_depth(t, tile), far_depth, false);
+}
+
+// ---- pixels ---------------------------------------------------------------------------------------------------------
+
+typedef struct {
+  global half *red, *green, *blue, *alpha;
+  global float* distance;
+} Picture;
 
 static inline void store_half(float16 value, global half* out) {
 #ifdef MORPHCL_POCL
@@ -159,8 +241,73 @@ static inline void store_half(float16 value, global half* out) {
 #endif
 }
 
+ALWAYS_INLINE void store_pixels(constant const FrameConstants* frame, Picture picture, size_t at, Irradiance color,
+                                float16 alpha, float16 distance) {
+  if (frame->writes_color) {
+    store_half(color.r, picture.red + at), store_half(color.g, picture.green + at), store_half(color.b, picture.blue + at);
+    store_half(alpha, picture.alpha + at);
+  }
+  if (frame->writes_depth) STORE_PAST_CACHE(distance, (global float16*)(picture.distance + at));
+}
+
+ALWAYS_INLINE void store_background(constant const FrameConstants* frame, Picture picture, size_t at) {
+  Irradiance none;
+  none.r = none.g = none.b = 0.0f;
+  store_pixels(frame, picture, at, none, (float16)0.0f, (float16)BACKGROUND_DEPTH);
+}
+
+// Sixteen columns of the rows of blocks that are shaded together. The surface is kept while its id stays.
+typedef struct {
+  uint content;
+  global const LargeTriangle* triangle;  // a block of one triangle
+  float corner;                          // its depth at the tile's first pixel
+  uint surface_id;                       // NO_ID: the surface is still to be gathered
+  Surface surface;
+} Column;
+
+ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global const LargeTriangle* large) {
+  column->content = content;
+  if (content == CLEAR || content == PER_PIXEL) return;
+  column->triangle = &large[content];
+  column->corner = tile_depth(column->triangle, tile);
+}
+
+ALWAYS_INLINE void shade_one_primitive(const Shader* s, Column* column, uint id, Pixels p, Picture picture, size_t at) {
+  if (column->surface_id != id) {
+    gather_surface(s, draw_of(s, id), &id, true, &column->surface);
+    column->surface_id = id;
+  }
+  store_pixels(s->frame, picture, at, surface_color(s, &column->surface, p), (float16)1.0f, eye_distance(s->frame, p.depth));
+}
+
+ALWAYS_INLINE void shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row, Picture picture) {
+  const size_t at = (size_t)(tile.y + row) * s->frame->row_pitch + tile.x + first;
+  Pixels p;
+  p.x = tile.x + first, p.y = tile.y + row;
+  if (column->content == CLEAR) {
+    store_background(s->frame, picture, at);
+  } else if (column->content != PER_PIXEL) {
+    p.depth = depths_in_row(column->triangle, column->corner, first, row);
+    shade_one_primitive(s, column, column->triangle->id, p, picture, at);
+  } else {
+    const uint16 ids = vload16(0, tile.id + row * TILE + first);
+    const uint first_id = ids.s0;
+    const bool mixed = any_lane(ids != first_id);
+    p.depth = vload16(0, tile.depth + row * TILE + first);
+    if (mixed) {
+      const int16 background = ids == NO_ID;
+      store_pixels(s->frame, picture, at, mixed_color(s, p, ids), select((float16)1.0f, (float16)0.0f, background),
+                   select(eye_distance(s->frame, p.depth), (float16)BACKGROUND_DEPTH, background));
+    } else if (first_id == NO_ID) {
+      store_background(s->frame, picture, at);
+    } else {
+      shade_one_primitive(s, column, first_id, p, picture, at);
+    }
+  }
+}
+
 kernel void shade_tiles(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                        global const BlockConstants* restrict blocks_of, global const uint* restrict indices,
+                        global const uint* restrict block_draw, global const uint* restrict indices,
                         global const LightConstants* restrict lights, global const int4* restrict vertices,
                         global const int4* restrict attributes, global const int4* restrict colors,
                         global const int4* restrict face_light, global const uint* restrict clip_source,
@@ -171,6 +318,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
                         global const uint* restrict entry_triangles, global const LargeTriangle* restrict large,
                         global const uint* restrict overflow, global half* restrict red, global half* restrict green,
                         global half* restrict blue, global half* restrict alpha, global float* restrict distance,
+                        global uint* restrict blank_blocks,
                         local float* tile_depths, local uint* tile_ids) {
   if (*overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
@@ -193,34 +341,30 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
       vstore16((float16)(frame->far_depth), 0, tile.depth + i);
       vstore16((uint16)(NO_ID), 0, tile.id + i);
     }
-    for (uint chunk = 0; chunk < chunks; chunk++)
-      merge_fragments(tile, fragment_keys + (size_t)chunk * frame->fragment_pages * PAGE,
-                      fragment_places + (size_t)chunk * frame->fragment_pages * PAGE,
-                      fragment_next + (size_t)chunk * frame->fragment_pages, fragment_heads[(size_t)chunk * tiles + number]);
-    blocks.content = PER_PIXEL;
-    if (any_entry) {
-      float least_of[LANES], greatest_of[LANES];
-      for (int block = 0; block < LANES; block++) {
-        float16 low = INFINITY, high = -INFINITY;
-        for (int y = 0; y < TILE_BLOCK; y++) {
-          const float16 held = vload16(0, tile.depth + ((block >> 2) * TILE_BLOCK + y) * TILE + (block & 3) * TILE_BLOCK);
-          low = min(low, held), high = max(high, held);
-        }
-        least_of[block] = least(low), greatest_of[block] = greatest(high);
-      }
-      blocks.least = vload16(0, least_of), blocks.greatest = vload16(0, greatest_of);
+    for (uint chunk = 0; chunk < chunks; chunk++) {
+      const size_t first_page = (size_t)chunk * frame->fragment_pages;
+      const Fragments fragments = {fragment_keys + first_page * PAGE, fragment_places + first_page * PAGE, fragment_next + first_page};
+      const uint head = fragment_heads[(size_t)chunk * tiles + number];
+      if (frame->tests_depth)
+        merge_fragments(tile, fragments, head);
+      else
+        place_fragments(tile, fragments, head);
     }
+    survey_blocks(tile, &blocks);
   }
 
   // ---- 3
   if (any_entry)
     for (uint chunk = 0; chunk < chunks; chunk++) {
-      global const uint* numbers = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
+      global const uint* entries = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
       global const uint* next = entry_next + (size_t)chunk * frame->entry_pages;
       for (uint head = entry_heads[(size_t)chunk * tiles + number]; head;) {
         const uint page = (head - 1) / PAGE;
         for (uint i = page * PAGE; i < head; i++)
-          merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + numbers[i], frame->far_depth);
+          if (frame->tests_depth)
+            merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
+          else
+            place_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
         head = next[page] ? (next[page] + 1) * PAGE : 0;
       }
     }
@@ -228,53 +372,28 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
   // ---- 4
   uint content[LANES];
   vstore16(blocks.content, 0, content);
+  uint blank = 0;
+  for (int block = 0; block < LANES; block++) blank |= content[block] == CLEAR ? 1u << block : 0u;
+  const uint left_as_it_is = frame->keeps_blank_tiles ? blank & blank_blocks[number] : 0u;
+  blank_blocks[number] = blank;
+
   Shader shader;
-  shader.frame = frame, shader.draws = draws, shader.blocks = blocks_of, shader.indices = indices, shader.lights = lights;
+  shader.frame = frame, shader.draws = draws, shader.block_draw = block_draw, shader.indices = indices, shader.lights = lights;
   shader.vertices = vertices, shader.attributes = attributes, shader.colors = colors, shader.face_light = face_light;
   shader.clip_source = clip_source, shader.clip_weights = clip_weights;
   shader.clipped = 0;
   if (frame->clips)
     for (uint chunk = 0; chunk < chunks; chunk++) shader.clipped += status[chunk].clipped;
+  const Picture picture = {red, green, blue, alpha, distance};
+  Column columns[TILE / TILE_BLOCK];
+  for (int i = 0; i < TILE / TILE_BLOCK; i++) columns[i].surface_id = NO_ID;
 
   const int rows = min(TILE, frame->height - tile.y);
-  for (int row = 0; row < rows; row++)
-    for (int column = 0; column < TILE; column += LANES) {
-      const size_t at = (size_t)(tile.y + row) * frame->row_pitch + tile.x + column;
-      const uint block = content[(row / TILE_BLOCK) * 4 + column / TILE_BLOCK];
-      Pixels pixels;
-      pixels.x = tile.x + column, pixels.y = tile.y + row;
-      if (block == CLEAR) {
-        pixels.same = true, pixels.first_id = NO_ID;
-      } else if (block == PER_PIXEL) {
-        pixels.depth = vload16(0, tile.depth + row * TILE + column);
-        pixels.id = vload16(0, tile.id + row * TILE + column);
-        pixels.first_id = pixels.id.s0;
-        pixels.same = !any_lane(pixels.id != pixels.first_id);
-      } else {
-        global const LargeTriangle* t = &large[block];
-        pixels.depth = fma((float16)(t->depth_dx), convert_float16(LANE + column),
-                           (float16)(fma(t->depth_dy, (float)row, tile_depth(t, tile))));
-        pixels.first_id = t->id;
-        pixels.id = t->id, pixels.same = true;
-      }
-      if (pixels.same && pixels.first_id == NO_ID) {
-        if (frame->writes_color) {
-          store_half((float16)0.0f, red + at), store_half((float16)0.0f, green + at);
-          store_half((float16)0.0f, blue + at), store_half((float16)0.0f, alpha + at);
-        }
-        if (frame->writes_depth) STORE_PAST_CACHE((float16)BACKGROUND_DEPTH, (global float16*)(distance + at));
-        continue;
-      }
-      const int16 background = pixels.id == NO_ID;
-      if (frame->writes_color) {
-        const Irradiance color = shade(&shader, pixels);
-        store_half(select(color.r, (float16)0.0f, background), red + at);
-        store_half(select(color.g, (float16)0.0f, background), green + at);
-        store_half(select(color.b, (float16)0.0f, background), blue + at);
-        store_half(select((float16)1.0f, (float16)0.0f, background), alpha + at);
-      }
-      if (frame->writes_depth)
-        STORE_PAST_CACHE(select(eye_distance(frame, pixels.depth), (float16)BACKGROUND_DEPTH, background),
-                         (global float16*)(distance + at));
-    }
+  for (int first_row = 0; first_row < rows; first_row += TILE_BLOCK) {
+    const int first_block = first_row / TILE_BLOCK * (TILE / TILE_BLOCK);
+    for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content[first_block + i], large);
+    for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
+      for (int i = 0; i < TILE / TILE_BLOCK; i++)
+        if (!(left_as_it_is >> (first_block + i) & 1u)) shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, picture);
+  }
 }

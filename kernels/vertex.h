@@ -8,6 +8,11 @@ typedef struct {
   float16 x, y, z, w;
 } ClipPoints;
 
+typedef struct {
+  int16 x, y;  // sub-pixels
+  float16 depth, inverse_w;
+} ScreenPoints;
+
 // Three planes of one morphed attribute of 16 vertices: base, then each active target that has the attribute.
 //   p <- fma(weight, target, fma(base_weight, base, p))
 #define MORPH_3(mesh_data, base_offset, pitch, at, targets, first, count, ATTRIBUTE, x, y, z)                          \
@@ -53,21 +58,32 @@ static inline int16 outcode(ClipPoints p, constant const FrameConstants* frame) 
   return code | (~finite & OUT_INVALID);
 }
 
+// round(product + product_rest + offset), ties to even.
+static inline int16 round_to_grid(float16 product, float16 product_rest, float16 offset) {
+  const float16 sum = product + offset;
+  const float16 offset_part = sum - product;
+  const float16 sum_rest = (product - (sum - offset_part)) + (offset - offset_part);
+  const float16 whole = rint(sum);
+  const float16 rest = (sum - whole) + (sum_rest + product_rest);
+  return convert_int16(whole) + convert_int16(rint(rest));
+}
+
 // round(v / w * scale + offset), ties to even, as if the quotient, product and sum had about 45 bits: the quotient's
 // remainder and the errors of product and sum are carried along (two-float arithmetic), so a vertex is snapped to another
 // sub-pixel than the exact one only within 2^-24 of a tie. |result| <= 2^23.
 static inline int16 snap(float16 v, float16 w, float scale, float offset) {
-  const float16 scales = scale, offsets = offset;
+  const float16 scales = scale;
   const float16 quotient = v / w;
   const float16 quotient_rest = fma(-quotient, w, v) / w;
   const float16 product = quotient * scales;
-  const float16 product_rest = fma(quotient_rest, scales, fma(quotient, scales, -product));
-  const float16 sum = product + offsets;
-  const float16 offset_part = sum - product;
-  const float16 sum_rest = (product - (sum - offset_part)) + (offsets - offset_part);
-  const float16 whole = rint(sum);
-  const float16 rest = (sum - whole) + (sum_rest + product_rest);
-  return convert_int16(whole) + convert_int16(rint(rest));
+  return round_to_grid(product, fma(quotient_rest, scales, fma(quotient, scales, -product)), (float16)offset);
+}
+
+// The same for w = 1.
+static inline int16 snap_undivided(float16 v, float scale, float offset) {
+  const float16 scales = scale;
+  const float16 product = v * scales;
+  return round_to_grid(product, fma(v, scales, -product), (float16)offset);
 }
 
 #endif

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
-#include <algorithm>
-
 #include "host/error.hpp"
 
 namespace morphcl {
@@ -53,18 +51,17 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth) : width_
   if (color)
     for (auto& plane : color_) plane = map_plane<std::uint16_t>(plane_elements());
   if (depth) depth_ = map_plane<float>(plane_elements());
-  blank_tiles_ = map_plane<std::uint32_t>(static_cast<std::size_t>(tiles_x()) * tiles_y());
+  blank_blocks_ = map_plane<std::uint32_t>(static_cast<std::size_t>(tiles_x()) * tiles_y());
 }
 
 FrameBuffer::Planes FrameBuffer::planes() {
+  const bool notes_hold = any_blank_;
   any_blank_ = true;
-  return {{color_[0].get(), color_[1].get(), color_[2].get(), color_[3].get()}, depth_.get(), blank_tiles_.get()};
-}
-
-void FrameBuffer::forget_blank_tiles() {
-  if (!any_blank_) return;
-  any_blank_ = false;
-  std::fill_n(blank_tiles_.get(), static_cast<std::size_t>(tiles_x()) * tiles_y(), 0u);
+  return {{color_[0].get(), color_[1].get(), color_[2].get(), color_[3].get()},
+          depth_.get(),
+          blank_blocks_.get(),
+          static_cast<std::size_t>(tiles_x()) * tiles_y(),
+          notes_hold};
 }
 
 }  // namespace morphcl

@@ -43,21 +43,25 @@ class FrameBuffer {
   int tiles_x() const { return static_cast<int>(row_pitch_ / tile_side); }
   int tiles_y() const { return static_cast<int>(padded_rows_ / tile_side); }
   bool blank(int tile_x, int tile_y) const {
-    return blank_tiles_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x];
+    return any_blank_ && blank_blocks_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x] == all_blocks;
   }
 
-  // For a renderer, which keeps the flags true to what it writes: not 0 for a blank tile, row by row.
+  // For a renderer, which keeps the notes true to what it writes: one for each tile, row by row; bit b is set when the
+  // tile's block b of 16 x 16 pixels (four a row) is blank.
   struct Planes {
     std::uint16_t* color[4];
     float* depth;
-    std::uint32_t* blank_tiles;
+    std::uint32_t* blank_blocks;
+    std::size_t tiles;
+    bool notes_hold;  // false: the notes are void, others may have written to the planes since they were made
   };
   Planes planes();
 
   static constexpr std::size_t tile_side = 64;
 
  private:
-  void forget_blank_tiles();
+  static constexpr std::uint32_t all_blocks = 0xffff;
+  void forget_blank_tiles() { any_blank_ = false; }
   struct Unmap {
     std::size_t bytes;
     void operator()(void* plane) const;
@@ -69,8 +73,8 @@ class FrameBuffer {
   std::size_t row_pitch_ = 0, padded_rows_ = 0;
   std::unique_ptr<std::uint16_t[], Unmap> color_[4];
   std::unique_ptr<float[], Unmap> depth_;
-  std::unique_ptr<std::uint32_t[], Unmap> blank_tiles_;
-  bool any_blank_ = false;  // false: all flags are 0, planes() was not called since they were reset
+  std::unique_ptr<std::uint32_t[], Unmap> blank_blocks_;
+  bool any_blank_ = false;  // false: blank_blocks_ is void
 };
 
 constexpr float background_depth = 1e10f;

@@ -6,7 +6,10 @@
 #include "host/device/launch.hpp"
 #include "host/device/shared_buffer.hpp"
 #include "host/error.hpp"
+#include "host/render/device_table.hpp"
+#include "host/render/frame_planes.hpp"
 #include "host/render/frame_tables.hpp"
+#include "host/render/kept_vertices.hpp"
 #include "host/render/mesh_store.hpp"
 
 namespace morphcl {
@@ -44,17 +47,22 @@ class DeviceRenderer : public Renderer {
     if (frame.width() != plan.width || frame.height() != plan.height || frame.has_color() != plan.color ||
         frame.has_depth() != plan.depth)
       throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
-    meshes_.require(plan);
-    const FrameTables tables = make_frame_tables(plan, meshes_);
-    layout::FrameConstants constants = make_frame_constants(plan, frame.row_pitch());
+    if (meshes_.require(plan)) kept_.forget();
+    make_frame_tables(plan, meshes_, frame.row_pitch(), tables_);
+    const FramePlanes planes = planes_.planes(frame);
+    layout::FrameConstants constants = tables_.frame;
+    constants.keeps_blank_tiles &= planes.notes_hold ? 1u : 0u;
     const FinishAtExit finish_before_tables_go(queue());
-    upload(tables);
-    set_chunks(tables, constants);
+    upload_tables();
+    set_chunks(constants);
     pools_.guess(constants);
+    bool lacked_room = false;
     do {
-      make_room(tables, constants);
-      launch_stages(tables, constants, frame);
-    } while (!finish(constants, frame));
+      make_room(constants);
+      project(constants, plan.keeps_vertices || lacked_room);
+      draw(constants, planes);
+      lacked_room = !finish(constants, planes);
+    } while (lacked_room);
   }
 
   std::string name() const override { return session_->info().name; }
@@ -86,30 +94,24 @@ class DeviceRenderer : public Renderer {
     cl::CommandQueue queue_;
   };
 
-  template <class T>
-  void upload(SharedBuffer& buffer, const T* values, std::size_t count) {
-    buffer.ensure(std::max<std::size_t>(count, 1) * sizeof(T));
-    if (count == 0) return;
-    checked("uploading a frame's tables",
-            [&] { queue().enqueueWriteBuffer(buffer.buffer(), CL_FALSE, 0, count * sizeof(T), values); });
-  }
-  template <class T>
-  void upload(SharedBuffer& buffer, const std::vector<T>& values) {
-    upload(buffer, values.data(), values.size());
-  }
-
-  void upload(const FrameTables& tables) {
-    upload(draws_, tables.draws);
-    upload(targets_, tables.targets);
-    upload(lights_, tables.lights);
-    upload(group_draw_, tables.group_draw);
-    upload(blocks_, tables.blocks);
+  void upload_tables() {
+    draws_.update(queue(), tables_.draws);
+    targets_.update(queue(), tables_.targets);
+    lights_.update(queue(), tables_.lights);
+    const auto count_of = [](const layout::DrawConstants& draw) {
+      return std::pair(draw.group_count, draw.block_count);
+    };
+    std::vector<std::pair<uint, uint>> counts(tables_.draws.size());
+    std::transform(tables_.draws.begin(), tables_.draws.end(), counts.begin(), count_of);
+    if (counts == uploaded_counts_) return;
+    uploaded_counts_.clear();
+    group_draw_.update(queue(), draw_of_groups(tables_.draws));
+    block_draw_.update(queue(), draw_of_blocks(tables_.draws));
+    uploaded_counts_ = std::move(counts);
   }
 
   // Chunks are a matter of load only: enough of them for the threads to share, each big enough to be worth its bins.
-  void set_chunks(const FrameTables& tables, layout::FrameConstants& constants) const {
-    constants.group_count = static_cast<uint>(tables.group_draw.size());
-    constants.block_count = static_cast<uint>(tables.blocks.size());
+  void set_chunks(layout::FrameConstants& constants) const {
     const uint wanted = std::clamp(constants.block_count / 64, 1u, 64u);
     constants.blocks_per_chunk = std::max((constants.block_count + wanted - 1) / wanted, 1u);
     constants.chunk_count =
@@ -121,7 +123,13 @@ class DeviceRenderer : public Renderer {
     return (constants.group_count + layout::groups_per_chunk - 1) / layout::groups_per_chunk;
   }
 
-  void make_room(const FrameTables& tables, layout::FrameConstants& constants) {
+  // What frames keep from one to the next is lost when it has to move.
+  void ensure_kept(SharedBuffer& buffer, std::size_t bytes) {
+    if (bytes > buffer.capacity()) kept_.forget();
+    buffer.ensure(bytes);
+  }
+
+  void make_room(layout::FrameConstants& constants) {
     constants.fragment_pages = pools_.fragment_pages;
     constants.entry_pages = pools_.entry_pages;
     constants.large_capacity = pools_.large;
@@ -130,11 +138,12 @@ class DeviceRenderer : public Renderer {
                       tiles = static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y;
     const std::size_t records =
         constants.first_clip_vertex + std::size_t{constants.clip_capacity} * layout::clip_vertices;
-    vertices_.ensure(records * 16);
-    attributes_.ensure(tables.any_smooth || tables.any_flat ? std::size_t{constants.first_clip_vertex} * 16 : 16);
-    colors_.ensure(tables.any_colors ? std::size_t{constants.first_clip_vertex} * 16 : 16);
-    face_light_.ensure(tables.any_flat ? std::size_t{constants.block_count} * layout::lanes * 16 : 16);
-    vertex_status_.ensure(std::max(vertex_chunks(constants), 1u) * sizeof(uint));
+    ensure_kept(vertices_, records * 16);
+    ensure_kept(attributes_,
+                tables_.any_smooth || tables_.any_flat ? std::size_t{constants.first_clip_vertex} * 16 : 16);
+    ensure_kept(colors_, tables_.any_colors ? std::size_t{constants.first_clip_vertex} * 16 : 16);
+    ensure_kept(face_light_, tables_.any_flat ? std::size_t{constants.block_count} * layout::lanes * 16 : 16);
+    ensure_kept(vertex_status_, std::max(vertex_chunks(constants), 1u) * sizeof(uint));
     clip_source_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
     clip_count_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
     clip_weights_.ensure(std::max<std::size_t>(constants.clip_capacity, 1) * layout::clip_vertices * 16);
@@ -148,59 +157,61 @@ class DeviceRenderer : public Renderer {
     entry_triangles_.ensure(entry_pages * layout::page * sizeof(uint));
     large_.ensure(chunks * pools_.large * sizeof(layout::LargeTriangle));
     status_.ensure(chunks * sizeof(layout::ChunkStatus));
-    upload(frame_, &constants, 1);
+    frame_.update(queue(), &constants, 1);
   }
 
-  void launch_stages(const FrameTables& tables, const layout::FrameConstants& constants, FrameBuffer& frame) {
-    const cl::NDRange one(1), chunks(constants.chunk_count);
-    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(vertex_chunks(constants)), one,
-           frame_.buffer(), draws_.buffer(), targets_.buffer(), group_draw_.buffer(), meshes_.mesh_data(),
+  // Vertices and face light of the draws that are not as they were in the frame before.
+  void project(const layout::FrameConstants& constants, bool keeps_vertices) {
+    if (!keeps_vertices) kept_.forget();
+    const std::vector<uint> changed = kept_.changed_chunks(tables_);
+    const bool faces_changed = tables_.any_flat && kept_.faces_changed(tables_);
+    kept_.forget();
+    const cl::NDRange one(1);
+    if (!changed.empty()) changed_chunks_.update(queue(), changed);
+    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changed.size()), one, frame_.buffer(),
+           changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), group_draw_.buffer(), meshes_.mesh_data(),
            vertices_.buffer(), attributes_.buffer(), colors_.buffer(), vertex_status_.buffer());
-    if (tables.any_flat)
-      launch(queue(), kernel("light_faces", "light_faces"), chunks, one, frame_.buffer(), draws_.buffer(),
-             blocks_.buffer(), meshes_.indices(), lights_.buffer(), attributes_.buffer(), face_light_.buffer());
+    if (faces_changed)
+      launch(queue(), kernel("light_faces", "light_faces"), cl::NDRange(constants.chunk_count), one, frame_.buffer(),
+             draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), attributes_.buffer(),
+             face_light_.buffer());
+    kept_.remember(tables_);
+  }
+
+  // Everything from the vertices to the pixels.
+  void draw(const layout::FrameConstants& constants, const FramePlanes& planes) {
+    const cl::NDRange one(1), chunks(constants.chunk_count);
     if (constants.clips) {
       launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame_.buffer(), draws_.buffer(),
-             blocks_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(), vertex_chunks(constants),
-             status_.buffer());
+             block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(),
+             vertex_chunks(constants), status_.buffer());
       launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-             targets_.buffer(), blocks_.buffer(), meshes_.indices(), meshes_.mesh_data(), vertices_.buffer(),
+             targets_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(), vertices_.buffer(),
              status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
     }
     launch(queue(), kernel("bin_primitives", "bin_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-           blocks_.buffer(), meshes_.indices(), vertices_.buffer(), clip_source_.buffer(), clip_count_.buffer(),
+           block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), clip_source_.buffer(), clip_count_.buffer(),
            fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(), fragment_places_.buffer(),
            entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(), large_.buffer(), status_.buffer(),
            overflow_.buffer());
     const std::size_t tile_bytes = std::size_t{layout::tile} * layout::tile * 4;
     launch(queue(), kernel("shade_tiles", "shade_tiles"),
            cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), one, frame_.buffer(),
-           draws_.buffer(), blocks_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
+           draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
            attributes_.buffer(), colors_.buffer(), face_light_.buffer(), clip_source_.buffer(), clip_weights_.buffer(),
            status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(),
            fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(),
-           large_.buffer(), overflow_.buffer(), color_plane(frame, 0), color_plane(frame, 1), color_plane(frame, 2),
-           color_plane(frame, 3), depth_plane(frame), LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
+           large_.buffer(), overflow_.buffer(), planes.color[0], planes.color[1], planes.color[2], planes.color[3],
+           planes.depth, planes.blank_blocks, LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
   }
 
-  // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the stages are to run
-  // again.
-  bool finish(const layout::FrameConstants& constants, FrameBuffer& frame) {
+  // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
+  // drawn again.
+  bool finish(const layout::FrameConstants& constants, const FramePlanes& planes) {
     uint overflow = 0;
-    checked("waiting for the frame", [&] {
-      queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflow, &overflow);
-      // Mapping brings the pixels to the host on devices that keep their own copy; on a CPU it costs nothing.
-      std::vector<std::pair<cl::Buffer, void*>> mapped;
-      const auto map = [&](const cl::Buffer& plane, std::size_t bytes) {
-        mapped.emplace_back(plane, queue().enqueueMapBuffer(plane, CL_FALSE, CL_MAP_READ, 0, bytes));
-      };
-      if (frame.has_color())
-        for (int channel = 0; channel < 4; ++channel)
-          map(color_plane(frame, channel), frame.plane_elements() * sizeof(std::uint16_t));
-      if (frame.has_depth()) map(depth_plane(frame), frame.plane_elements() * sizeof(float));
-      queue().finish();
-      for (const auto& [plane, pointer] : mapped) queue().enqueueUnmapMemObject(plane, pointer);
-    });
+    checked("waiting for the frame",
+            [&] { queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflow, &overflow); });
+    FramePlaneCache::bring_to_host(queue(), planes);
     if (overflow == 0) return true;
     overflow_.map<uint>(queue(), 1)[0] = 0;
     const auto status = status_.map<const layout::ChunkStatus>(queue(), constants.chunk_count);
@@ -213,34 +224,22 @@ class DeviceRenderer : public Renderer {
     return false;
   }
 
-  // A plane of the frame as a buffer that uses the frame's own memory.
-  cl::Buffer plane(void* data, std::size_t bytes) {
-    constexpr std::size_t most_planes = 64;
-    if (planes_.size() > most_planes) planes_.clear();
-    cl::Buffer& buffer = planes_[{data, bytes}];
-    if (!buffer())
-      buffer = checked("wrapping a frame's plane", [&] {
-        return cl::Buffer(session_->context(), CL_MEM_WRITE_ONLY | CL_MEM_USE_HOST_PTR, bytes, data);
-      });
-    return buffer;
-  }
-  cl::Buffer color_plane(FrameBuffer& frame, int channel) {
-    return frame.has_color() ? plane(frame.color(channel), frame.plane_elements() * sizeof(std::uint16_t))
-                             : overflow_.buffer();
-  }
-  cl::Buffer depth_plane(FrameBuffer& frame) {
-    return frame.has_depth() ? plane(frame.depth(), frame.plane_elements() * sizeof(float)) : overflow_.buffer();
-  }
-
   SharedBuffer buffer() const { return SharedBuffer(session_->context()); }
 
   std::shared_ptr<Session> session_;
   MeshStore meshes_;
   Pools pools_;
   std::map<std::string, cl::Kernel> kernels_;
-  std::map<std::pair<void*, std::size_t>, cl::Buffer> planes_;
-  SharedBuffer frame_ = buffer(), draws_ = buffer(), targets_ = buffer(), lights_ = buffer(), group_draw_ = buffer(),
-               blocks_ = buffer();
+  FramePlaneCache planes_{session_->context()};
+  FrameTables tables_;
+  KeptVertices kept_;
+  DeviceTable<layout::FrameConstants> frame_{session_->context()};
+  DeviceTable<layout::DrawConstants> draws_{session_->context()};
+  DeviceTable<layout::TargetConstants> targets_{session_->context()};
+  DeviceTable<layout::LightConstants> lights_{session_->context()};
+  DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
+      changed_chunks_{session_->context()};
+  std::vector<std::pair<uint, uint>> uploaded_counts_;  // groups and blocks of each draw, as the two tables have them
   SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_light_ = buffer(),
                vertex_status_ = buffer();
   SharedBuffer clip_source_ = buffer(), clip_count_ = buffer(), clip_weights_ = buffer();

@@ -29,6 +29,7 @@ uint draw_flags(const Draw& draw) {
   return flags;
 }
 
+// Groups, blocks and targets follow those of the draws before.
 layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& mesh, const FrameTables& tables) {
   layout::DrawConstants constants{};
   for (int row = 0; row < 4; ++row) copy(draw.object_to_clip[row], constants.object_to_clip[row]);
@@ -37,10 +38,17 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   copy(draw.base_color, constants.base_color);
   const StoredMesh::Primitives& primitives = draw.shading == Shading::wireframe ? mesh.edges : mesh.triangles;
   constants.flags = draw_flags(draw);
-  constants.first_group = static_cast<uint>(tables.group_draw.size());
   constants.group_count = mesh.vertex_groups;
-  constants.first_block = static_cast<uint>(tables.blocks.size());
   constants.block_count = primitives.blocks;
+  if (!tables.draws.empty()) {
+    const layout::DrawConstants& before = tables.draws.back();
+    constants.first_group = before.first_group + before.group_count;
+    constants.first_block = before.first_block + before.block_count;
+  }
+  constexpr std::size_t most = (std::size_t{1} << 29) / layout::lanes - 1;
+  if (std::size_t{constants.first_group} + constants.group_count > most ||
+      std::size_t{constants.first_block} + constants.block_count > most)
+    throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
   constants.positions = mesh.positions, constants.normals = mesh.normals, constants.colors = mesh.colors;
   constants.pitch = mesh.pitch;
   constants.indices = primitives.indices, constants.index_pitch = primitives.pitch;
@@ -49,39 +57,13 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   return constants;
 }
 
-}  // namespace
-
-FrameTables make_frame_tables(const FramePlan& plan, const MeshStore& meshes) {
-  FrameTables tables;
-  constexpr std::size_t most = (std::size_t{1} << 29) / layout::lanes - 1;
-  for (const Draw& draw : plan.draws) {
-    const StoredMesh& mesh = meshes.stored(*draw.mesh);
-    const layout::DrawConstants constants = make_draw_constants(draw, mesh, tables);
-    const uint number = static_cast<uint>(tables.draws.size());
-    if (tables.group_draw.size() + constants.group_count > most || tables.blocks.size() + constants.block_count > most)
-      throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
-    tables.group_draw.insert(tables.group_draw.end(), constants.group_count, number);
-    for (uint block = 0; block < constants.block_count; ++block)
-      tables.blocks.push_back({number, block * static_cast<uint>(layout::lanes)});
-    for (const ActiveTarget& active : draw.targets) {
-      const StoredMesh::Target& target = mesh.targets[active.target];
-      tables.targets.push_back(
-          {active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
-    }
-    tables.draws.push_back(constants);
-    tables.any_flat |= draw.shading == Shading::flat;
-    tables.any_smooth |= draw.shading == Shading::smooth;
-    tables.any_colors |= draw.vertex_colors;
-  }
-  for (const EyeLight& light : plan.lights) {
-    layout::LightConstants constants{};
-    copy(light.vector, constants.vector);
-    copy(light.color, constants.color);
-    constants.is_point = light.kind == LightKind::point;
-    constants.falloff = light.falloff;
-    tables.lights.push_back(constants);
-  }
-  return tables;
+layout::LightConstants make_light_constants(const EyeLight& light) {
+  layout::LightConstants constants{};
+  copy(light.vector, constants.vector);
+  copy(light.color, constants.color);
+  constants.is_point = light.kind == LightKind::point;
+  constants.falloff = light.falloff;
+  return constants;
 }
 
 layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t row_pitch) {
@@ -107,8 +89,51 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   frame.has_point_lights =
       std::any_of(plan.lights.begin(), plan.lights.end(), [](const EyeLight& l) { return l.kind == LightKind::point; });
   frame.writes_color = plan.color, frame.writes_depth = plan.depth;
-  frame.clips = plan.clips;
+  frame.clips = plan.clips, frame.divides = plan.divides, frame.tests_depth = plan.tests_depth;
+  frame.keeps_blank_tiles = plan.keeps_blank_tiles;
   return frame;
+}
+
+template <uint layout::DrawConstants::*count>
+std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
+  std::vector<uint> numbers;
+  for (std::size_t draw = 0; draw < draws.size(); ++draw)
+    numbers.insert(numbers.end(), draws[draw].*count, static_cast<uint>(draw));
+  return numbers;
+}
+
+}  // namespace
+
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables) {
+  tables.draws.clear(), tables.targets.clear(), tables.lights.clear();
+  tables.any_flat = tables.any_smooth = tables.any_colors = false;
+  for (const Draw& draw : plan.draws) {
+    const StoredMesh& mesh = meshes.stored(*draw.mesh);
+    tables.draws.push_back(make_draw_constants(draw, mesh, tables));
+    for (const ActiveTarget& active : draw.targets) {
+      const StoredMesh::Target& target = mesh.targets[active.target];
+      tables.targets.push_back(
+          {active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
+    }
+    tables.any_flat |= draw.shading == Shading::flat;
+    tables.any_smooth |= draw.shading == Shading::smooth;
+    tables.any_colors |= draw.vertex_colors;
+  }
+  for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
+  tables.frame = make_frame_constants(plan, row_pitch);
+  if (!tables.draws.empty()) {
+    const layout::DrawConstants& last = tables.draws.back();
+    tables.frame.group_count = last.first_group + last.group_count;
+    tables.frame.block_count = last.first_block + last.block_count;
+  }
+}
+
+std::vector<uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::group_count>(draws);
+}
+
+std::vector<uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::block_count>(draws);
 }
 
 }  // namespace morphcl

@@ -14,15 +14,16 @@ struct FrameTables {
   std::vector<layout::DrawConstants> draws;
   std::vector<layout::TargetConstants> targets;
   std::vector<layout::LightConstants> lights;
-  std::vector<layout::uint> group_draw;
-  std::vector<layout::BlockConstants> blocks;
+  layout::FrameConstants frame{};  // without what depends on pools and chunks, which the renderer fills in
   bool any_flat = false, any_smooth = false, any_colors = false;
 };
 
-// Error(bad_input) when the frame has more vertices or primitives than ids can number.
-FrameTables make_frame_tables(const FramePlan& plan, const MeshStore& meshes);
+// Replaces `tables`, whose memory is used again. Error(bad_input) when the frame has more vertices or primitives than
+// ids can number.
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables);
 
-// Grid, depth and light constants; what depends on pools and chunks is filled in by the renderer.
-layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t row_pitch);
+// For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.
+std::vector<layout::uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws);
+std::vector<layout::uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws);
 
 }  // namespace morphcl

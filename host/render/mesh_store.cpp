@@ -99,7 +99,7 @@ void write(const Mesh& mesh, const StoredMesh& placed, float* data) {
 MeshStore::MeshStore(std::shared_ptr<Session> session)
     : session_(std::move(session)), data_(session_->context()), indices_(session_->context()) {}
 
-void MeshStore::require(const FramePlan& plan) {
+bool MeshStore::require(const FramePlan& plan) {
   if (plan.planner != planner_) {
     stored_.clear(), order_.clear(), wants_edges_.clear();
     planner_ = plan.planner;
@@ -113,6 +113,7 @@ void MeshStore::require(const FramePlan& plan) {
     entry->second |= lines;
   }
   if (changed) upload();
+  return changed;
 }
 
 void MeshStore::upload() {

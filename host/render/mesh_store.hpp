@@ -35,8 +35,8 @@ class MeshStore {
   explicit MeshStore(std::shared_ptr<Session> session);
 
   // Makes sure that all meshes of the plan are on the device. Error(bad_input) when they exceed what the device can
-  // allocate at once, with the numbers.
-  void require(const FramePlan& plan);
+  // allocate at once, with the numbers. True when the meshes on the device are others than before, or elsewhere.
+  bool require(const FramePlan& plan);
 
   const StoredMesh& stored(const Mesh& mesh) const { return stored_.at(&mesh); }
   const cl::Buffer& mesh_data() const { return data_.buffer(); }
