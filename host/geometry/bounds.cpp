@@ -81,33 +81,35 @@ MorphBounds::MorphBounds(const Mesh& mesh) : base_(box_of(mesh.positions)) {
   }
 }
 
-Box MorphBounds::at(const std::vector<double>& weights) const {
-  std::vector<Interval> intervals;
-  intervals.reserve(weights.size());
-  for (const double weight : weights) intervals.push_back({weight, weight});
-  return at(intervals);
-}
-
-Box MorphBounds::at(const std::vector<Interval>& weights) const {
-  if (weights.size() != targets_.size())
-    throw Error(
-        ErrorKind::internal, "",
-        fmt::format("bounds of {} morph targets were asked for with {} weights", targets_.size(), weights.size()));
+template <class IntervalOf>
+Box MorphBounds::at_intervals(std::size_t count, IntervalOf interval_of) const {
+  if (count != targets_.size())
+    throw Error(ErrorKind::internal, "",
+                fmt::format("bounds of {} morph targets were asked for with {} weights", targets_.size(), count));
   Box by_deltas = base_, by_positions{glm::dvec3(0.0), glm::dvec3(0.0)};
   Interval rest{1, 1};
   glm::dvec3 magnitudes = magnitude(base_);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const Interval& weight = weights[i];
+    const Interval weight = interval_of(i);
+    const double size = std::max(std::abs(weight.lower), std::abs(weight.upper));
+    if (size == 0) continue;
     by_deltas = sum(by_deltas, scaled(targets_[i].deltas, weight));
     by_positions = sum(by_positions, scaled(targets_[i].positions, weight));
     rest = {rest.lower - weight.upper, rest.upper - weight.lower};
-    const double size = std::max(std::abs(weight.lower), std::abs(weight.upper));
     magnitudes += size * (magnitude(targets_[i].deltas) + magnitude(targets_[i].positions) + magnitude(base_));
   }
   by_positions = sum(by_positions, scaled(base_, rest));
   const double ulps = static_cast<double>(targets_.size()) + 2;
   const glm::dvec3 margin = ulps * std::ldexp(1.0, -23) * magnitudes;
   return widened(intersection(by_deltas, by_positions), margin);
+}
+
+Box MorphBounds::at(const std::vector<double>& weights) const {
+  return at_intervals(weights.size(), [&](std::size_t i) { return Interval{weights[i], weights[i]}; });
+}
+
+Box MorphBounds::at(const std::vector<Interval>& weights) const {
+  return at_intervals(weights.size(), [&](std::size_t i) { return weights[i]; });
 }
 
 }  // namespace morphcl

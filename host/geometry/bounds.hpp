@@ -60,6 +60,8 @@ class MorphBounds {
   struct Target {
     Box positions, deltas;
   };
+  template <class IntervalOf>
+  Box at_intervals(std::size_t count, IntervalOf interval_of) const;
   Box base_;
   std::vector<Target> targets_;
 };

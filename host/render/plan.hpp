@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "anim/timeline.hpp"
+#include "host/render/plan/active_targets.hpp"
 #include "host/scene/scene.hpp"
 
 namespace morphcl {
@@ -19,23 +20,18 @@ namespace morphcl {
 // Row-major rows of an affine or projective map: row r gives component r = ((m[3] + z m[2]) + y m[1]) + x m[0] by fma.
 using Row = std::array<float, 4>;
 
-struct ActiveTarget {
-  int target;         // index into the mesh's targets
-  float weight;       // the target's factor
-  float base_weight;  // the base's factor: -weight for an absolute target, 0 for a delta
-};
-
 struct Draw {
   const Mesh* mesh = nullptr;
+  std::uint32_t object = 0;  // index into the scene's objects
   Shading shading = Shading::flat;
   bool double_sided = false;
   bool mirrored = false;              // the object's transform has a negative determinant: front faces turn clockwise
   std::array<Row, 4> object_to_clip;  // rows x, y, depth, w
   std::array<Row, 3> object_to_eye;   // for lighting: positions
-  std::array<std::array<float, 3>, 3> normal_to_eye;  // inverse transpose, scaled by a power of two
+  std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
   std::array<float, 4> base_color;
   bool vertex_colors = false;
-  std::vector<ActiveTarget> targets;  // only those with a weight other than 0
+  ActiveTargets targets;  // only those with a weight other than 0
 };
 
 struct EyeLight {
@@ -43,12 +39,6 @@ struct EyeLight {
   std::array<float, 3> vector;  // eye space: unit direction towards the light, or position
   std::array<float, 3> color;
   bool falloff;
-};
-
-struct PlanNote {
-  std::string item;    // "normals"
-  bool done;           // false: left out
-  std::string reason;  // "no lights in the scene"
 };
 
 struct FramePlan {
@@ -75,17 +65,35 @@ struct FramePlan {
   // (x * ray[0] + ray[1]) * (parallel ? 1 : d) and so on for y with ray[2], ray[3].
   std::array<float, 4> ray{};
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
-  std::vector<PlanNote> notes;
 };
 
-// Plans frames of one scene; keeps what does not change from frame to frame (the bounds of every mesh). The scene must
-// outlive the planner and its plans, which refer to the scene's meshes, and must not change meanwhile. A renderer keeps
-// the meshes of one planner on the device: frames of one scene are planned by one planner.
+// What plans may leave out. Every picture is the same with and without; measurements and tests ask for both.
+struct PlanOptions {
+  bool leave_out = true;  // false: nothing is left out, whatever the items say
+  bool objects_out_of_view = true;
+  bool idle_targets = true;  // morph targets of weight 0
+  bool normals = true;       // and light, where the scene has no lights
+  bool clipping = true;
+  bool divide = true;
+  bool depth_test = true;
+  bool kept_vertices = true;
+  bool blank_tiles = true;
+};
+
+// Whether an object of this mesh has anything to draw.
+bool has_primitives(const Object& object, const Mesh& mesh);
+
+// Plans frames of one scene; keeps what does not change from frame to frame: bounds of meshes, transforms of nodes that
+// stand still, and for every object a box that holds it at all times, so that a frame costs what is in view. Of what is
+// not in view nothing is evaluated. The scene must outlive the planner and its plans, which refer to the scene's
+// meshes, and must not change meanwhile. A renderer keeps the meshes of one planner on the device: frames of one scene
+// are planned by one planner. Threads may share a planner; they take turns.
 class Planner {
  public:
-  explicit Planner(const Scene& scene);
+  explicit Planner(const Scene& scene, const PlanOptions& options = {});
   ~Planner();
-  // Error(bad_input) naming the frame when its camera or a transform is degenerate or leaves fp32.
+  // A pure function of the frame's number. Error(bad_input) naming the frame when its camera or the transform of an
+  // object in view is degenerate or leaves fp32. Error(usage) when |frame| > 1,000,000.
   FramePlan plan(std::int64_t frame) const;
 
  private:
@@ -93,7 +101,7 @@ class Planner {
   std::unique_ptr<Impl> impl_;
 };
 
-// For a single frame: Planner(scene).plan(frame).
-FramePlan plan_frame(const Scene& scene, std::int64_t frame);
+// For a single frame: Planner(scene, options).plan(frame).
+FramePlan plan_frame(const Scene& scene, std::int64_t frame, const PlanOptions& options = {});
 
 }  // namespace morphcl

@@ -3,6 +3,7 @@
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
+#include "host/render/plan/report.hpp"
 #include "host/render/reference_renderer.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
@@ -11,8 +12,9 @@
 namespace morphcl::test {
 namespace {
 
-bool is_done(const FramePlan& plan, const std::string& item) {
-  for (const PlanNote& note : plan.notes)
+bool is_done(const Scene& scene, const std::string& item) {
+  const Planner planner(scene);
+  for (const PlanNote& note : explain(planner, scene, {}, 0).notes)
     if (note.item == item) return note.done;
   ADD_FAILURE() << "the plan does not speak of \"" << item << "\"";
   return false;
@@ -26,7 +28,7 @@ TEST(Plan, ObjectsOutOfViewAreLeftOut) {
   b.add(make_cube(), Shading::flat, place({0, 0, -500}));  // behind the far plane
   const FramePlan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
   EXPECT_EQ(plan.draws.size(), 1u);
-  EXPECT_FALSE(is_done(plan, "objects out of view"));
+  EXPECT_FALSE(is_done(b.scene(), "objects out of view"));
 }
 
 // The same picture when the plan's judgement of what is out of view is taken away: every object is drawn by hand.
@@ -82,7 +84,7 @@ TEST(Plan, TargetsOfWeightZeroAreNotActive) {
   ASSERT_EQ(plan.draws.size(), 1u);
   ASSERT_EQ(plan.draws[0].targets.size(), 1u);
   EXPECT_EQ(plan.draws[0].targets[0].target, 3);
-  EXPECT_FALSE(is_done(plan, "idle morph targets"));
+  EXPECT_FALSE(is_done(b.scene(), "idle morph targets"));
 }
 
 TEST(Plan, WithoutLightsNormalsAreNotMoved) {
@@ -90,16 +92,16 @@ TEST(Plan, WithoutLightsNormalsAreNotMoved) {
   b.add(make_sphere({16, 8}), Shading::smooth);
   b.look({0, 0, 5}).no_lights();
   const FramePlan plan = plan_frame(b.scene(), 0);
-  EXPECT_FALSE(is_done(plan, "vertex normals"));
-  EXPECT_FALSE(is_done(plan, "lights"));
+  EXPECT_FALSE(is_done(b.scene(), "vertex normals"));
+  EXPECT_FALSE(is_done(b.scene(), "lights"));
   EXPECT_EQ(plan.draws.at(0).shading, Shading::unlit);
 }
 
 TEST(Plan, ClippingIsLeftOutAwayFromThePlanes) {
   SceneBuilder b(64, 48);
   b.add(make_cube(), Shading::flat);
-  EXPECT_FALSE(is_done(plan_frame(b.look({0, 0, 5}).scene(), 0), "clipping"));
-  EXPECT_TRUE(is_done(plan_frame(b.look({0, 0, 1.05}).scene(), 0), "clipping"));
+  EXPECT_FALSE(is_done(b.look({0, 0, 5}).scene(), "clipping"));
+  EXPECT_TRUE(is_done(b.look({0, 0, 1.05}).scene(), "clipping"));
 }
 
 TEST(Plan, HiddenObjectsAreLeftOut) {

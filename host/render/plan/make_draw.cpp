@@ -1,0 +1,59 @@
+#include "host/render/plan/make_draw.hpp"
+
+#include "host/math/inverse.hpp"
+#include "host/math/rounding.hpp"
+
+namespace morphcl {
+
+namespace {
+
+Row to_row(const glm::dmat4& m, int row) {
+  return {to_fp32(m[0][row]), to_fp32(m[1][row]), to_fp32(m[2][row]), to_fp32(m[3][row])};
+}
+
+// A target whose weight is 0 adds 0 to every vertex, fma(0, target, fma(-0, base, p)) = p, so it is left out.
+void add_targets(const Mesh& mesh, const std::vector<double>& weights, bool keeps_idle, ActiveTargets& targets) {
+  for (std::size_t i = 0; i < mesh.targets.size(); ++i) {
+    const float weight = to_fp32(weights[i]);
+    if (weight == 0.0f && !keeps_idle) continue;
+    const bool absolute = mesh.targets[i].form == TargetForm::absolute;
+    targets.push_back({static_cast<int>(i), weight, absolute ? -weight : 0.0f});
+  }
+}
+
+bool is_lit(Shading shading) { return shading == Shading::smooth || shading == Shading::flat; }
+
+}  // namespace
+
+Draw make_draw(const DrawContext& context, std::size_t object_index, const glm::dmat4& object_to_eye,
+               const glm::dmat4& object_to_clip, const std::vector<double>& weights) {
+  const Object& object = context.scene.objects[object_index];
+  Draw draw;
+  draw.mesh = &context.scene.meshes[object.mesh];
+  draw.object = static_cast<std::uint32_t>(object_index);
+  add_targets(*draw.mesh, weights, context.keeps_idle_targets, draw.targets);
+  draw.double_sided = object.material.double_sided;
+  draw.mirrored = glm::determinant(glm::dmat3(object_to_eye)) < 0.0;
+  const glm::dvec4& base = object.material.base_color;
+  draw.base_color = {to_fp32(base.r), to_fp32(base.g), to_fp32(base.b), to_fp32(base.a)};
+
+  draw.shading = object.material.shading;
+  draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
+  if (draw.shading == Shading::smooth && draw.mesh->normals.empty()) draw.shading = Shading::flat;
+  if (context.plan.lights.empty() && is_lit(draw.shading) && !context.keeps_normals) {
+    // Without lights every normal gives the ambient light, which goes into the base colour: the same fp32 product.
+    draw.shading = Shading::unlit;
+    for (int i = 0; i < 3; ++i) draw.base_color[i] = draw.base_color[i] * context.plan.ambient[i];
+  }
+
+  for (int row = 0; row < 4; ++row) draw.object_to_clip[row] = to_row(object_to_clip, row);
+  for (int row = 0; row < 3; ++row) draw.object_to_eye[row] = to_row(object_to_eye, row);
+  if (is_lit(draw.shading) || context.keeps_normals) {
+    const glm::dmat3 normals = normal_matrix(object_to_eye);
+    for (int row = 0; row < 3; ++row)
+      draw.normal_to_eye[row] = {to_fp32(normals[0][row]), to_fp32(normals[1][row]), to_fp32(normals[2][row])};
+  }
+  return draw;
+}
+
+}  // namespace morphcl

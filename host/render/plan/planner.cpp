@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "anim/node_sampler.hpp"
+#include "anim/timeline_at.hpp"
+#include "host/error.hpp"
+#include "host/geometry/bounds.hpp"
+#include "host/math/rounding.hpp"
+#include "host/render/plan.hpp"
+#include "host/render/plan/make_draw.hpp"
+#include "host/render/plan/motion_bounds.hpp"
+#include "host/render/plan/object_tree.hpp"
+#include "host/render/plan/view_volume.hpp"
+
+namespace morphcl {
+
+namespace {
+
+std::array<float, 3> to_array(const glm::dvec3& v) { return {to_fp32(v.x), to_fp32(v.y), to_fp32(v.z)}; }
+
+PlanOptions without_exceptions(const PlanOptions& options) {
+  constexpr bool no = false;
+  return options.leave_out ? options : PlanOptions{no, no, no, no, no, no, no, no, no};
+}
+
+std::vector<MorphBounds> bounds_of_meshes(const Scene& scene) { return {scene.meshes.begin(), scene.meshes.end()}; }
+
+std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, const std::vector<MorphBounds>& meshes,
+                                                        const NodeSampler& nodes) {
+  std::vector<std::optional<BoundedBox>> bounds;
+  std::vector<Interval> ranges;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    weight_ranges(scene.timeline.weights[i], ranges);
+    bounds.push_back(bounds_over_time(scene.timeline.nodes, nodes, object.node, meshes[object.mesh].at(ranges)));
+  }
+  return bounds;
+}
+
+BoundedBox bounded(const Box& box) {
+  return {box.center(), 0.5 * box.upper - 0.5 * box.lower, glm::max(glm::abs(box.lower), glm::abs(box.upper))};
+}
+
+// Parallel projections have the last row 0 0 0 1: w is exactly 1 at every vertex.
+bool divides_by_w(const Draw& draw) { return draw.object_to_clip[3] != Row{0.0f, 0.0f, 0.0f, 1.0f}; }
+
+void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FramePlan& plan) {
+  plan.parallel = volume.parallel;
+  plan.near_plane = volume.near_plane;
+  plan.near_w = volume.near_w, plan.near_depth = volume.near_depth;
+  plan.far_depth = volume.far_depth, plan.near = volume.near;
+  // x_ndc = (P00 x + P02 z + P03) / w, and z = -d: solved for the eye's x at distance d.
+  const glm::dmat4& ndc = volume.eye_to_ndc;
+  const auto ray = [&](int axis, double pixel_scale, double pixel_offset, int at) {
+    const double shift = plan.parallel ? -ndc[3][axis] : ndc[2][axis];
+    plan.ray[at] = to_fp32(pixel_scale / ndc[axis][axis]);
+    plan.ray[at + 1] = to_fp32((pixel_offset + shift) / ndc[axis][axis]);
+  };
+  ray(0, 2.0 / plan.width, -1.0, 0);
+  ray(1, -2.0 / plan.height, 1.0, 2);
+  plan.world_to_eye = world_to_eye;
+  plan.world_to_ndc = ndc * world_to_eye;
+}
+
+}  // namespace
+
+struct Planner::Impl {
+  Impl(const Scene& s, const PlanOptions& o)
+      : scene(s),
+        options(without_exceptions(o)),
+        meshes(bounds_of_meshes(s)),
+        nodes(s.timeline.nodes),
+        tree(bounds_over_time(s, meshes, nodes)) {}
+
+  FramePlan plan(std::int64_t frame);
+
+ private:
+  ViewVolume start(std::int64_t frame, FramePlan& plan);
+  void add_light(const LightState& light, FramePlan& plan) const;
+  void add_draws(const ViewVolume& volume, FramePlan& plan);
+  void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
+
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+  }
+
+  const Scene& scene;
+  const PlanOptions options;
+  const std::vector<MorphBounds> meshes;
+  const std::uint64_t number = next_number();
+
+  std::mutex mutex;  // of what follows: room that every frame uses again
+  NodeSampler nodes;
+  const ObjectTree tree;
+  ObjectTree::InView in_view;
+  std::vector<double> weights;
+  std::int64_t tick = 0;
+};
+
+void Planner::Impl::add_light(const LightState& light, FramePlan& plan) const {
+  if (light.color == glm::dvec3(0.0)) return;
+  const double point = light.kind == LightKind::point ? 1.0 : 0.0;
+  plan.lights.push_back({light.kind, to_array(glm::dvec3(plan.world_to_eye * glm::dvec4(light.vector, point))),
+                         to_array(light.color), light.falloff});
+}
+
+ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
+  const Timeline& timeline = scene.timeline;
+  nodes.go_to(tick);
+  plan.planner = number, plan.frame = frame;
+  plan.width = scene.image.width, plan.height = scene.image.height;
+  plan.color = scene.image.color, plan.depth = scene.image.depth;
+  const int eye = timeline.camera.node;
+  const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
+  const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
+  add_camera(volume, camera.world_to_eye, plan);
+  plan.ambient = to_array(timeline.ambient);
+  for (std::size_t i = 0; i < timeline.lights.size(); ++i) add_light(evaluate_light(timeline.lights[i], i, tick), plan);
+  plan.keeps_vertices = options.kept_vertices, plan.keeps_blank_tiles = options.blank_tiles;
+  return volume;
+}
+
+void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume, FramePlan& plan) {
+  const Object& object = scene.objects[object_index];
+  const Mesh& mesh = scene.meshes[object.mesh];
+  if (!has_primitives(object, mesh) || !nodes.is_visible(object.node)) return;
+  const glm::dmat4 object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
+  const glm::dmat4 object_to_clip = volume.eye_to_clip * object_to_eye;
+  evaluate_weights(scene.timeline.weights[object_index], tick, weights);
+  // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
+  if (!in_view.inside.contains(object_index)) {
+    const BoundedBox box = bounded(meshes[object.mesh].at(weights));
+    if (options.objects_out_of_view && HalfSpaces(volume.view, object_to_clip).side(box) == Side::outside) return;
+    plan.clips = plan.clips || HalfSpaces(volume.clip, object_to_clip).side(box) != Side::inside;
+  }
+  try {
+    plan.draws.push_back(make_draw({scene, plan, !options.idle_targets, !options.normals}, object_index, object_to_eye,
+                                   object_to_clip, weights));
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_input, "", fmt::format("object \"{}\": {}", object.name, error.message()));
+  }
+}
+
+void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
+  plan.clips = !options.clipping;
+  if (options.objects_out_of_view) {
+    tree.find(HalfSpaces(volume.view, volume.eye_to_clip * plan.world_to_eye), in_view);
+    in_view.candidates.for_each([&](std::size_t object) { add_draw(object, volume, plan); });
+  } else {
+    in_view.inside.clear(scene.objects.size());
+    for (std::size_t object = 0; object < scene.objects.size(); ++object) add_draw(object, volume, plan);
+  }
+}
+
+FramePlan Planner::Impl::plan(std::int64_t frame) {
+  const std::lock_guard lock(mutex);
+  FramePlan plan;
+  tick = tick_of(scene.timeline, frame);
+  try {
+    add_draws(start(frame, plan), plan);
+  } catch (const Error& error) {
+    const ErrorKind kind = error.kind() == ErrorKind::usage ? ErrorKind::bad_input : error.kind();
+    throw Error(kind, error.place(), fmt::format("frame {}: {}", frame, error.message()));
+  }
+  plan.divides = !options.divide || std::any_of(plan.draws.begin(), plan.draws.end(), divides_by_w);
+  return plan;
+}
+
+bool has_primitives(const Object& object, const Mesh& mesh) {
+  return !mesh.triangles.empty() || (object.material.shading == Shading::wireframe && !mesh.edges.empty());
+}
+
+Planner::Planner(const Scene& scene, const PlanOptions& options) : impl_(std::make_unique<Impl>(scene, options)) {}
+Planner::~Planner() = default;
+FramePlan Planner::plan(std::int64_t frame) const { return impl_->plan(frame); }
+
+FramePlan plan_frame(const Scene& scene, std::int64_t frame, const PlanOptions& options) {
+  return Planner(scene, options).plan(frame);
+}
+
+}  // namespace morphcl

@@ -1,0 +1,27 @@
+// What a camera sees, as planes of clip space, and the numbers from which renderers measure depth.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "host/math/projection.hpp"
+
+namespace morphcl {
+
+// Depth, perspective: reversed and without a far plane in the matrix, depth = near / w, 1 on the near plane, 0 at
+// infinity, so fp32 is dense where the distances are large. Parallel: depth = z in eye space. The fields are those of
+// FramePlan with the same names.
+struct ViewVolume {
+  glm::dmat4 eye_to_ndc, eye_to_clip;  // rows of clip space: x, y, depth * w, w
+  bool parallel;
+  std::array<float, 3> near_plane;
+  float near_w, near_depth, far_depth, near;
+  // Planes of clip space, inside where dot(plane, point) > 0.
+  std::array<glm::dvec4, 6> view;  // near, far, and the picture's edges: what is outside one of them shows nowhere
+  std::array<glm::dvec4, 5> clip;  // near, and the guard band: what is inside all of them is not clipped
+};
+
+// Error(bad_input) when a perspective's near plane is closer than 1e-30.
+ViewVolume make_view_volume(const Projection& projection, int width, int height);
+
+}  // namespace morphcl
