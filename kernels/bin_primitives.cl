@@ -66,7 +66,7 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   t.inverse_area = 1.0f / (float)area;
   t.depth_dx = fma((float)t.d2y, t.depth1, -((float)t.d1y * t.depth2)) * t.inverse_area * (float)SUBPIXELS;
   t.depth_dy = fma((float)t.d1x, t.depth2, -((float)t.d2x * t.depth1)) * t.inverse_area * (float)SUBPIXELS;
-  for (int i = 0; i < 3; i++) t.pad[i] = 0;
+  FOR_THREE(i) t.pad[i] = 0;
   const uint number = bins->large_count++;
   if (number >= bins->large_capacity) return;
   bins->large[number] = t;
@@ -78,7 +78,7 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
     for (int tile_x = first_x / TILE; tile_x <= last_x / TILE; tile_x++) {
       const int px = tile_x * TILE * SUBPIXELS + HALF_PIXEL, py = tile_y * TILE * SUBPIXELS + HALF_PIXEL;
       bool misses = false, covers = true;
-      for (int e = 0; e < 3; e++) {
+      FOR_THREE(e) {
         const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py);
         misses |= value + max(-dy[e], 0) * reach + max(dx[e], 0) * reach < 0;
         covers &= value + min(-dy[e], 0) * reach + min(dx[e], 0) * reach >= 0;

@@ -66,7 +66,7 @@ static inline Corner source_corner(global const DrawConstants* draw, global cons
   vstore16(p.y, 0, field), corner.y = field[lane];
   vstore16(p.z, 0, field), corner.z = field[lane];
   vstore16(p.w, 0, field), corner.w = field[lane];
-  for (int i = 0; i < 3; i++) corner.weight[i] = i == number ? 1.0f : 0.0f;
+  FOR_THREE(i) corner.weight[i] = i == number ? 1.0f : 0.0f;
   return corner;
 }
 
@@ -90,7 +90,7 @@ static inline Corner cut(const Corner* inner, const Corner* outer, float inner_d
   c.y = mix_exact_ends(inner->y, outer->y, t);
   c.z = mix_exact_ends(inner->z, outer->z, t);
   c.w = mix_exact_ends(inner->w, outer->w, t);
-  for (int i = 0; i < 3; i++) c.weight[i] = mix_exact_ends(inner->weight[i], outer->weight[i], t);
+  FOR_THREE(i) c.weight[i] = mix_exact_ends(inner->weight[i], outer->weight[i], t);
   if (plane == 0) {
     c.w = frame->near_w;
     c.z = frame->near_depth * c.w;
@@ -142,7 +142,7 @@ kernel void clip_primitives(constant const FrameConstants* restrict frame, globa
     for (uint lane = 0; lane < LANES; lane++) {
       const uint primitive = (block - draw->first_block) * LANES + lane;
       uint record[3];
-      for (uint i = 0; i < 3; i++) record[i] = corner_record(draw, indices, i, primitive);
+      FOR_THREE(i) record[i] = corner_record(draw, indices, i, primitive);
       if (!needs_clipping(vertices, record[0], record[1], record[2])) continue;
       if (slot >= frame->clip_capacity) {
         slot++;

@@ -83,7 +83,7 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, const uint* id, bool same, uint 
     if (piece == 0) continue;
     is_cut[lane] = -1, surface->any_cut = true;
     const uint slot = slot_of(s, id[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
-    for (int i = 0; i < 3; i++) {
+    FOR_THREE(i) {
       const float4 weights = s->clip_weights[slot * CLIP_VERTICES + local_corner[i]];
       cut[i][0][lane] = weights.x, cut[i][1][lane] = weights.y, cut[i][2][lane] = weights.z;
       corner[i][lane] = s->frame->first_clip_vertex + slot * CLIP_VERTICES + local_corner[i];
@@ -91,8 +91,8 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, const uint* id, bool same, uint 
   }
   if (!surface->any_cut) return;
   surface->is_cut = same ? (int16)(is_cut[0]) : vload16(0, is_cut);
-  for (int i = 0; i < 3; i++)
-    for (int v = 0; v < 3; v++) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
+  FOR_THREE(i)
+    FOR_THREE(v) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
 }
 
 // The ids (id[0] alone when `same`) all belong to the draw.
@@ -111,21 +111,21 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   uint vertex[3][LANES], corner[3][LANES];
   const uint first_number = draw->first_block * LANES, first_vertex = draw->first_group * LANES;
   for (int lane = 0; lane < (same ? 1 : LANES); lane++)
-    for (int i = 0; i < 3; i++)
+    FOR_THREE(i)
       corner[i][lane] = vertex[i][lane] =
           first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id[lane] >> 3) - first_number)];
   gather_cuts(s, id, same, corner, surface);
-  for (int i = 0; i < 3; i++) {
+  FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &unused, &f0);
     surface->inverse_w[i] = as_float16(f0);
   }
   if (draw->flags & DRAW_SMOOTH)
-    for (int i = 0; i < 3; i++) {
+    FOR_THREE(i) {
       fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->normal[i].x = as_float16(f0), surface->normal[i].y = as_float16(f1), surface->normal[i].z = as_float16(f2);
     }
   if (draw->flags & DRAW_VERTEX_COLORS)
-    for (int i = 0; i < 3; i++) {
+    FOR_THREE(i) {
       fetch(s->colors, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->tint[i].r = as_float16(f0), surface->tint[i].g = as_float16(f1), surface->tint[i].b = as_float16(f2);
     }
@@ -140,18 +140,22 @@ ALWAYS_INLINE float16 weighted(Weights w, float16 a, float16 b, float16 c) {
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels p) {
   const int16 px = (p.x + LANE) * SUBPIXELS + HALF_PIXEL, py = p.y * SUBPIXELS + HALF_PIXEL;
   float16 dx[3], dy[3];
-  for (int i = 0; i < 3; i++) dx[i] = convert_float16(surface->x[i] - px), dy[i] = convert_float16(surface->y[i] - py);
+  FOR_THREE(i) dx[i] = convert_float16(surface->x[i] - px), dy[i] = convert_float16(surface->y[i] - py);
   Weights w;
   w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
   w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
   w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
   if (!s->frame->parallel)
-    for (int i = 0; i < 3; i++) w.vertex[i] *= surface->inverse_w[i];
-  if (!surface->any_cut) return w;
-  Weights source;
-  for (int v = 0; v < 3; v++)
-    source.vertex[v] = select(w.vertex[v], weighted(w, surface->cut[0][v], surface->cut[1][v], surface->cut[2][v]), surface->is_cut);
-  return source;
+    FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
+  if (surface->any_cut) {
+    const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
+    const float16 b = weighted(w, surface->cut[0][1], surface->cut[1][1], surface->cut[2][1]);
+    const float16 c = weighted(w, surface->cut[0][2], surface->cut[1][2], surface->cut[2][2]);
+    w.vertex[0] = select(w.vertex[0], a, surface->is_cut);
+    w.vertex[1] = select(w.vertex[1], b, surface->is_cut);
+    w.vertex[2] = select(w.vertex[2], c, surface->is_cut);
+  }
+  return w;
 }
 
 ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, Pixels p, Weights w, float16 total) {

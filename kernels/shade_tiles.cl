@@ -129,7 +129,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
   const int px = tile.x * SUBPIXELS + HALF_PIXEL, py = tile.y * SUBPIXELS + HALF_PIXEL;
   const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};
   const int vx[3] = {t->ax, t->ax + t->d1x, t->ax + t->d2x}, vy[3] = {t->ay, t->ay + t->d1y, t->ay + t->d2y};
-  for (int e = 0; e < 3; e++) {
+  FOR_THREE(e) {
     const long exact = edge_value(dx[e], dy[e], vx[e], vy[e], px, py) >> SUBPIXEL_BITS;
     const int step_x = -dy[e], step_y = dx[e];
     if (exact + (min(0, step_x) + (long)min(0, step_y)) * (TILE - 1) >= 0) {
@@ -148,7 +148,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
 static inline void draw_in_block(Tile tile, const TileEdges* edges, global const LargeTriangle* t, float corner, int column, int row,
                                  bool tests_depth, float* least_depth, float* greatest_depth) {
   int16 value[3];
-  for (int e = 0; e < 3; e++) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * row;
+  FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * row;
   const uint id = t->id;
   float16 least_held = INFINITY, greatest_held = -INFINITY;
   for (int y = row; y < row + TILE_BLOCK; y++) {
@@ -162,7 +162,7 @@ static inline void draw_in_block(Tile tile, const TileEdges* edges, global const
     vstore16(kept, 0, depths);
     vstore16(select(held_id, (uint16)(id), as_uint16(wins)), 0, ids);
     least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
-    for (int e = 0; e < 3; e++) value[e] += edges->step_y[e];
+    FOR_THREE(e) value[e] += edges->step_y[e];
   }
   *least_depth = least(least_held), *greatest_depth = greatest(greatest_held);
 }
@@ -198,7 +198,7 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
-    for (int e = 0; e < 3; e++) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
+    FOR_THREE(e) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
   else
     find_covered_blocks(t, tile, &edges, &misses, &covers);
   const int16 replaces = covers & ~misses & (least_depth > blocks->greatest);

@@ -13,6 +13,9 @@
 #define ALWAYS_INLINE static inline
 #endif
 
+// Loops over three corners or edges, whose variables are to stay in registers.
+#define FOR_THREE(i) _Pragma("unroll") for (int i = 0; i < 3; i++)
+
 #define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
 // One byte a lane, two longs: what the loops over set lanes walk through.
