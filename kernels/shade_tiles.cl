@@ -231,29 +231,41 @@ typedef struct {
   global float* distance;
 } Picture;
 
-static inline void store_half(float16 value, global half* out) {
-#ifdef MORPHCL_POCL
+// Sixteen halves, rounded to nearest even. Where the processor converts a whole vector it is asked to: vstore_half16 goes
+// by halves of vectors.
+ALWAYS_INLINE ushort16 to_halves(float16 value) {
+#if defined(MORPHCL_POCL) && defined(__AVX512F__)
+  typedef _Float16 Halves __attribute__((ext_vector_type(16)));
+  return __builtin_astype(__builtin_convertvector(value, Halves), ushort16);
+#else
   ushort bits[LANES];
   vstore_half16(value, 0, (private half*)bits);
-  STORE_PAST_CACHE(vload16(0, bits), (global ushort16*)out);
-#else
-  vstore_half16(value, 0, out);
+  return vload16(0, bits);
 #endif
 }
 
-ALWAYS_INLINE void store_pixels(constant const FrameConstants* frame, Picture picture, size_t at, Irradiance color,
-                                float16 alpha, float16 distance) {
-  if (frame->writes_color) {
-    store_half(color.r, picture.red + at), store_half(color.g, picture.green + at), store_half(color.b, picture.blue + at);
-    store_half(alpha, picture.alpha + at);
-  }
-  if (frame->writes_depth) STORE_PAST_CACHE(distance, (global float16*)(picture.distance + at));
+// Colour and alpha of 16 pixels of a row.
+typedef struct {
+  ushort16 red, green, blue, alpha;
+} RowColor;
+
+ALWAYS_INLINE RowColor row_color(Irradiance color, float16 alpha) {
+  RowColor halves;
+  halves.red = to_halves(color.r), halves.green = to_halves(color.g), halves.blue = to_halves(color.b);
+  halves.alpha = to_halves(alpha);
+  return halves;
 }
 
-ALWAYS_INLINE void store_background(constant const FrameConstants* frame, Picture picture, size_t at) {
-  Irradiance none;
-  none.r = none.g = none.b = 0.0f;
-  store_pixels(frame, picture, at, none, (float16)0.0f, (float16)BACKGROUND_DEPTH);
+// Two neighbours at a time: what goes past the cache should fill its lines, of 64 bytes on most processors.
+ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global half* out) {
+  STORE_PAST_CACHE((ulong8)(as_ulong4(left), as_ulong4(right)), (global ulong8*)out);
+}
+
+ALWAYS_INLINE void store_colors(const RowColor* pair, Picture picture, size_t at) {
+  store_line(pair[0].red, pair[1].red, picture.red + at);
+  store_line(pair[0].green, pair[1].green, picture.green + at);
+  store_line(pair[0].blue, pair[1].blue, picture.blue + at);
+  store_line(pair[0].alpha, pair[1].alpha, picture.alpha + at);
 }
 
 // Sixteen columns of the rows of blocks that are shaded together. The surface is kept while its id stays.
@@ -272,38 +284,42 @@ ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global c
   column->corner = tile_depth(column->triangle, tile);
 }
 
-ALWAYS_INLINE void shade_one_primitive(const Shader* s, Column* column, uint id, Pixels p, Picture picture, size_t at) {
+ALWAYS_INLINE Irradiance color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
   if (column->surface_id != id) {
     gather_surface(s, draw_of(s, id), &id, true, &column->surface);
     column->surface_id = id;
   }
-  store_pixels(s->frame, picture, at, surface_color(s, &column->surface, p), (float16)1.0f, eye_distance(s->frame, p.depth));
+  return surface_color(s, &column->surface, p);
 }
 
-ALWAYS_INLINE void shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row, Picture picture) {
-  const size_t at = (size_t)(tile.y + row) * s->frame->row_pitch + tile.x + first;
+// One row of a block: stores its distances and returns its colours.
+ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row, Picture picture) {
   Pixels p;
   p.x = tile.x + first, p.y = tile.y + row;
-  if (column->content == CLEAR) {
-    store_background(s->frame, picture, at);
-  } else if (column->content != PER_PIXEL) {
-    p.depth = depths_in_row(column->triangle, column->corner, first, row);
-    shade_one_primitive(s, column, column->triangle->id, p, picture, at);
-  } else {
+  Irradiance color;
+  color.r = color.g = color.b = 0.0f;
+  float16 alpha = 0.0f, distance = BACKGROUND_DEPTH;
+  if (column->content == PER_PIXEL) {
     const uint16 ids = vload16(0, tile.id + row * TILE + first);
     const uint first_id = ids.s0;
-    const bool mixed = any_lane(ids != first_id);
     p.depth = vload16(0, tile.depth + row * TILE + first);
-    if (mixed) {
+    if (any_lane(ids != first_id)) {
       const int16 background = ids == NO_ID;
-      store_pixels(s->frame, picture, at, mixed_color(s, p, ids), select((float16)1.0f, (float16)0.0f, background),
-                   select(eye_distance(s->frame, p.depth), (float16)BACKGROUND_DEPTH, background));
-    } else if (first_id == NO_ID) {
-      store_background(s->frame, picture, at);
-    } else {
-      shade_one_primitive(s, column, first_id, p, picture, at);
+      if (s->frame->writes_color) color = mixed_color(s, p, ids);
+      alpha = select((float16)1.0f, (float16)0.0f, background);
+      distance = select(eye_distance(s->frame, p.depth), (float16)BACKGROUND_DEPTH, background);
+    } else if (first_id != NO_ID) {
+      if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
+      alpha = 1.0f, distance = eye_distance(s->frame, p.depth);
     }
+  } else if (column->content != CLEAR) {
+    p.depth = depths_in_row(column->triangle, column->corner, first, row);
+    if (s->frame->writes_color) color = color_of_primitive(s, column, column->triangle->id, p);
+    alpha = 1.0f, distance = eye_distance(s->frame, p.depth);
   }
+  if (s->frame->writes_depth)
+    STORE_PAST_CACHE(distance, (global float16*)(picture.distance + (size_t)p.y * s->frame->row_pitch + p.x));
+  return row_color(color, alpha);
 }
 
 kernel void shade_tiles(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
@@ -374,7 +390,8 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
   vstore16(blocks.content, 0, content);
   uint blank = 0;
   for (int block = 0; block < LANES; block++) blank |= content[block] == CLEAR ? 1u << block : 0u;
-  const uint left_as_it_is = frame->keeps_blank_tiles ? blank & blank_blocks[number] : 0u;
+  uint left_as_it_is = frame->keeps_blank_tiles ? blank & blank_blocks[number] : 0u;
+  left_as_it_is &= left_as_it_is >> 1;  // bits of even blocks: both of the pair
   blank_blocks[number] = blank;
 
   Shader shader;
@@ -393,7 +410,13 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
     const int first_block = first_row / TILE_BLOCK * (TILE / TILE_BLOCK);
     for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content[first_block + i], large);
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
-      for (int i = 0; i < TILE / TILE_BLOCK; i++)
-        if (!(left_as_it_is >> (first_block + i) & 1u)) shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, picture);
+      for (int pair = 0; pair < TILE / TILE_BLOCK; pair += 2) {
+        if (left_as_it_is >> (first_block + pair) & 1u) continue;
+        RowColor colors_of[2];
+        for (int i = 0; i < 2; i++)
+          colors_of[i] = shade_row_of_block(&shader, &columns[pair + i], tile, (pair + i) * TILE_BLOCK, row, picture);
+        if (frame->writes_color)
+          store_colors(colors_of, picture, (size_t)(tile.y + row) * frame->row_pitch + tile.x + pair * TILE_BLOCK);
+      }
   }
 }
