@@ -20,10 +20,12 @@
 #define CLEAR NO_ID            // a block that nothing touched
 #define PER_PIXEL (NO_ID - 1)  // a block whose samples stand in the tile's planes; else a block is one large triangle
 
+// Samples of the tile, 16 of a row in a vector: rows of ROW_VECTORS vectors.
+#define ROW_VECTORS (TILE / LANES)
 typedef struct {
-  local float* depth;  // 64 x 64
-  local uint* id;
-  int x, y;            // first pixel
+  local float16* depth;
+  local uint16* id;
+  int x, y;  // first pixel
 } Tile;
 
 // The 4 x 4 blocks of a tile, one a lane.
@@ -44,6 +46,8 @@ typedef struct {
 } Fragments;
 
 static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
+  local float* depths = (local float*)tile.depth;
+  local uint* ids = (local uint*)tile.id;
   while (head) {
     const uint page = (head - 1) / PAGE, end = head;
     for (uint i = page * PAGE; i < end; i++) {
@@ -51,20 +55,22 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
       const float depth = as_float((uint)(key >> 32));
       const uint id = (uint)key;
       const int place = fragments.places[i];
-      const float held = tile.depth[place];
-      if (depth > held || (depth == held && id < tile.id[place])) tile.depth[place] = depth, tile.id[place] = id;
+      const float held = depths[place];
+      if (depth > held || (depth == held && id < ids[place])) depths[place] = depth, ids[place] = id;
     }
     head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
   }
 }
 
 static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
+  local float* depths = (local float*)tile.depth;
+  local uint* ids = (local uint*)tile.id;
   while (head) {
     const uint page = (head - 1) / PAGE, end = head;
     for (uint i = page * PAGE; i < end; i++) {
       const ulong key = fragments.keys[i];
       const int place = fragments.places[i];
-      tile.depth[place] = as_float((uint)(key >> 32)), tile.id[place] = (uint)key;
+      depths[place] = as_float((uint)(key >> 32)), ids[place] = (uint)key;
     }
     head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
   }
@@ -78,10 +84,10 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
     float16 low = INFINITY, high = -INFINITY;
     uint16 lowest_id = NO_ID;
     for (int y = 0; y < TILE_BLOCK; y++) {
-      const int at = ((block >> 2) * TILE_BLOCK + y) * TILE + (block & 3) * TILE_BLOCK;
-      const float16 held = vload16(0, tile.depth + at);
+      const int at = ((block >> 2) * TILE_BLOCK + y) * ROW_VECTORS + (block & 3);
+      const float16 held = tile.depth[at];
       low = min(low, held), high = max(high, held);
-      lowest_id = min(lowest_id, vload16(0, tile.id + at));
+      lowest_id = min(lowest_id, tile.id[at]);
     }
     least_of[block] = least(low), greatest_of[block] = greatest(high);
     content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
@@ -105,16 +111,16 @@ static inline float16 depths_in_row(global const LargeTriangle* t, float corner,
 static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large, float far_depth) {
   if (content == CLEAR) {
     for (int y = row; y < row + TILE_BLOCK; y++) {
-      vstore16((float16)(far_depth), 0, tile.depth + y * TILE + column);
-      vstore16((uint16)(NO_ID), 0, tile.id + y * TILE + column);
+      tile.depth[y * ROW_VECTORS + column / LANES] = far_depth;
+      tile.id[y * ROW_VECTORS + column / LANES] = NO_ID;
     }
     return;
   }
   global const LargeTriangle* t = &large[content];
   const float corner = tile_depth(t, tile);
   for (int y = row; y < row + TILE_BLOCK; y++) {
-    vstore16(depths_in_row(t, corner, column, y), 0, tile.depth + y * TILE + column);
-    vstore16((uint16)(t->id), 0, tile.id + y * TILE + column);
+    tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_row(t, corner, column, y);
+    tile.id[y * ROW_VECTORS + column / LANES] = t->id;
   }
 }
 
@@ -152,15 +158,14 @@ static inline void draw_in_block(Tile tile, const TileEdges* edges, global const
   const uint id = t->id;
   float16 least_held = INFINITY, greatest_held = -INFINITY;
   for (int y = row; y < row + TILE_BLOCK; y++) {
-    local float* depths = tile.depth + y * TILE + column;
-    local uint* ids = tile.id + y * TILE + column;
-    const float16 depth = depths_in_row(t, corner, column, y), held = vload16(0, depths);
-    const uint16 held_id = vload16(0, ids);
+    const int at = y * ROW_VECTORS + column / LANES;
+    const float16 depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
+    const uint16 held_id = tile.id[at];
     int16 wins = (value[0] | value[1] | value[2]) >= 0;
     if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
     const float16 kept = select(held, depth, wins);
-    vstore16(kept, 0, depths);
-    vstore16(select(held_id, (uint16)(id), as_uint16(wins)), 0, ids);
+    tile.depth[at] = kept;
+    tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
     least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
@@ -300,9 +305,9 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   color.r = color.g = color.b = 0.0f;
   float16 alpha = 0.0f, distance = BACKGROUND_DEPTH;
   if (column->content == PER_PIXEL) {
-    const uint16 ids = vload16(0, tile.id + row * TILE + first);
+    const uint16 ids = tile.id[row * ROW_VECTORS + first / LANES];
     const uint first_id = ids.s0;
-    p.depth = vload16(0, tile.depth + row * TILE + first);
+    p.depth = tile.depth[row * ROW_VECTORS + first / LANES];
     if (any_lane(ids != first_id)) {
       const int16 background = ids == NO_ID;
       if (s->frame->writes_color) color = mixed_color(s, p, ids);
@@ -335,7 +340,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
                         global const uint* restrict overflow, global half* restrict red, global half* restrict green,
                         global half* restrict blue, global half* restrict alpha, global float* restrict distance,
                         global uint* restrict blank_blocks,
-                        local float* tile_depths, local uint* tile_ids) {
+                        local float16* tile_depths, local uint16* tile_ids) {
   if (*overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
   const uint number = ((uint)get_global_id(0) * frame->tile_step) % tiles;
@@ -353,10 +358,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
     any_entry |= entry_heads[(size_t)chunk * tiles + number] != 0;
   }
   if (any_fragment) {
-    for (int i = 0; i < TILE * TILE; i += LANES) {
-      vstore16((float16)(frame->far_depth), 0, tile.depth + i);
-      vstore16((uint16)(NO_ID), 0, tile.id + i);
-    }
+    for (int i = 0; i < TILE * ROW_VECTORS; i++) tile.depth[i] = frame->far_depth, tile.id[i] = NO_ID;
     for (uint chunk = 0; chunk < chunks; chunk++) {
       const size_t first_page = (size_t)chunk * frame->fragment_pages;
       const Fragments fragments = {fragment_keys + first_page * PAGE, fragment_places + first_page * PAGE, fragment_next + first_page};
