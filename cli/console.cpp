@@ -18,7 +18,10 @@ bool environment_says(const char* name, std::string_view value) {
 }
 }  // namespace
 
-void print_result(std::string_view line) { fmt::print(stdout, "{}\n", line); }
+void print_result(std::string_view line) {
+  fmt::print(stdout, "{}\n", line);
+  std::fflush(stdout);  // what fails here is found by check_results()
+}
 
 void print_message(std::string_view line) { print_progress(fmt::format("morphcl: {}", line)); }
 

@@ -1,4 +1,5 @@
-// stdout carries results, stderr everything else. A line is whole or not written: one call, one write.
+// stdout carries results, stderr everything else. A line is whole or not written: one call, one write. It goes out
+// at once, so that who reads through a pipe can follow.
 #pragma once
 
 #include <string_view>
