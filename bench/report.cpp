@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, double>> FrameTimes::summary() const {
 
 SceneFigures scene_figures(const BenchScene& scene) {
   const std::size_t objects = scene.placements.size();
-  return {scene.name, scene.width, scene.height, objects, objects * scene.shape.triangles.size()};
+  return {scene.name, scene.width, scene.height, objects, objects * scene.shape.triangles.size(), 0.0};
 }
 
 void print_report(const std::string& program, const std::string& renderer, const SceneFigures& scene, int threads,
@@ -75,6 +75,7 @@ void print_report(const std::string& program, const std::string& renderer, const
                                  {"width", scene.width},         {"height", scene.height}, {"objects", scene.objects},
                                  {"triangles", scene.triangles}, {"threads", threads},     {"frames", times.frames()}};
   for (const auto& [key, milliseconds] : times.summary()) line[key] = milliseconds;
+  line["scene_ms"] = scene.scene_ms;
   line["covered"] = picture.covered;
   line["mean_red"] = picture.mean_red;
   fmt::print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));

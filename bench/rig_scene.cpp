@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bench/morphcl_scene.hpp"
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
@@ -15,7 +18,8 @@ constexpr int most_targets = 4096;
 // A smooth bump around a point of the sphere that is `number`'s own; the normals follow it roughly, as sculpted shapes
 // do.
 MorphTarget bump(const Mesh& sphere, int number) {
-  const double height = 1.0 - 2.0 * (0.5 + number) / most_targets, angle = 2.399963 * number;  // the golden angle
+  // Multiples of two irrational numbers spread evenly, however many there are.
+  const double height = 2.0 * std::fmod(0.5 + 0.7548776662 * number, 1.0) - 1.0, angle = 2.399963 * number;
   const double radius = std::sqrt(1.0 - height * height);
   const glm::vec3 centre(radius * std::cos(angle), height, radius * std::sin(angle));
   MorphTarget target;
@@ -31,9 +35,9 @@ MorphTarget bump(const Mesh& sphere, int number) {
 }  // namespace
 
 Scene rig_scene(int targets, int width, int height, int frames) {
-  if (targets < active_targets || targets > most_targets)
-    throw Error(ErrorKind::usage, "",
-                fmt::format("--amount {} of scene rig: from {} to {}", targets, active_targets, most_targets));
+  if (targets < 1 || targets > most_targets)
+    throw Error(ErrorKind::usage, "", fmt::format("--amount {} of scene rig: from 1 to {}", targets, most_targets));
+  const int active_targets = std::min(targets, most_active_targets);
   BenchScene ball = make_bench_scene("heavy", width, height, 4 * 80 * 80);
   ball.name = "rig";
   Scene scene = morphcl_scene(ball, frames);
@@ -54,7 +58,7 @@ Scene rig_scene(int targets, int width, int height, int frames) {
   }
   for (int target = 0, active = 0; target < targets; ++target) {
     const bool is_active = active < active_targets && target == active * targets / active_targets;
-    mesh.targets.push_back(bump(mesh, is_active ? active++ : active_targets + target));
+    mesh.targets.push_back(bump(mesh, is_active ? active++ : most_active_targets + target));
   }
   validate(scene);
   return scene;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "bench/peers/llvmpipe/context.hpp"
@@ -64,7 +65,10 @@ FrameTimes write_frames(const PeerOptions& options, int frames, const BenchScene
 }
 
 void run(const PeerOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
   const BenchScene bench = make_bench_scene(options.scene, options.width, options.height, options.amount);
+  SceneFigures figures = scene_figures(bench);
+  figures.scene_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   const int frames = options.frames > 0 ? options.frames : bench.frames;
   if (options.part >= frames)
     throw Error(ErrorKind::usage, "", fmt::format("--part {}: there are {} frames", options.part, frames));
@@ -78,7 +82,7 @@ void run(const PeerOptions& options) {
   const std::uint16_t* pixels = target.pixels().data();
   const PictureView picture{pixels, pixels + 3, bench.width, bench.height, 4 * static_cast<std::size_t>(bench.width),
                             4};
-  print_report("llvmpipe", renderer_name(), scene_figures(bench), options.threads, times, picture_figures(picture));
+  print_report("llvmpipe", renderer_name(), figures, options.threads, times, picture_figures(picture));
 }
 
 }  // namespace
