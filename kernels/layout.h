@@ -3,7 +3,8 @@
 //
 // Names: a *vertex* is one record after projection; a *group* is 16 vertices of one draw; a *block* is 16 primitives of one
 // draw; a *chunk* is a run of groups or blocks that one work-item walks through; a *tile* is 64 x 64 pixels.
-// A primitive's number counts through all blocks of the frame: block * 16 + lane. An *id* is number * 8 + piece, piece 0
+// Blocks are numbered in drawing order and binned draw by draw from near to far: a block's place in that order is its
+// *position*. A primitive's number counts through all blocks of the frame: block * 16 + lane. An *id* is number * 8 + piece, piece 0
 // for a primitive drawn as it is and 1 to 7 for the triangles that clipping cut it into, so ids compare in drawing order.
 
 #ifndef MORPHCL_LAYOUT_H
@@ -49,6 +50,7 @@ typedef struct {
   uint first_group;      // of this draw's vertices; vertex i is record first_group * 16 + i
   uint group_count;
   uint first_block, block_count;  // lane l of block b is primitive (b - first_block) * 16 + l of the mesh
+  uint first_position;   // of its blocks in the order in which they are binned
   uint positions;        // float index of x in the mesh data; y and z follow at distance `pitch`
   uint normals;
   uint colors;           // r, g, b, a planes

@@ -32,6 +32,12 @@ static inline uint next_entry(PagedBins* bins, uint tile) {
   return at;  // beyond capacity * PAGE: there is no room, the entry is only counted
 }
 
+// The end of the page filled before that of `head`, or 0.
+static inline uint head_before(global const uint* next, uint head) {
+  const uint page = next[(head - 1) / PAGE];
+  return page ? (page + 1) * PAGE : 0;
+}
+
 // E(p) = dx (py - vy) - dy (px - vx), less 1 where a centre on the edge belongs to the neighbour.
 static inline long edge_value(int dx, int dy, int vx, int vy, int px, int py) {
   const int owns_edge = dy < 0 || (dy == 0 && dx > 0);

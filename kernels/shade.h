@@ -73,16 +73,16 @@ ALWAYS_INLINE uint slot_of(const Shader* s, uint number) {
 }
 
 // Replaces the corners of primitives that were cut by those of the piece.
-ALWAYS_INLINE void gather_cuts(const Shader* s, const uint* id, bool same, uint corner[3][LANES], Surface* surface) {
+ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner[3][LANES], Surface* surface) {
   surface->any_cut = false;
   float cut[3][3][LANES];
   int is_cut[LANES];
   for (int lane = 0; lane < (same ? 1 : LANES); lane++) {
-    const uint piece = id[lane] & 7u;
+    const uint piece = id.lane[lane] & 7u;
     is_cut[lane] = 0;
     if (piece == 0) continue;
     is_cut[lane] = -1, surface->any_cut = true;
-    const uint slot = slot_of(s, id[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
+    const uint slot = slot_of(s, id.lane[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
     FOR_THREE(i) {
       const float4 weights = s->clip_weights[slot * CLIP_VERTICES + local_corner[i]];
       cut[i][0][lane] = weights.x, cut[i][1][lane] = weights.y, cut[i][2][lane] = weights.z;
@@ -95,14 +95,14 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, const uint* id, bool same, uint 
     FOR_THREE(v) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
 }
 
-// The ids (id[0] alone when `same`) all belong to the draw.
-ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, const uint* id, bool same, Surface* surface) {
+// The ids (the first alone when `same`) all belong to the draw.
+ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, Lanes id, bool same, Surface* surface) {
   surface->draw = draw;
   surface->color.r = draw->base_color[0], surface->color.g = draw->base_color[1], surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
   if (draw->flags & DRAW_FLAT) {
     uint number[LANES];
-    for (int lane = 0; lane < (same ? 1 : LANES); lane++) number[lane] = id[lane] >> 3;
+    for (int lane = 0; lane < (same ? 1 : LANES); lane++) number[lane] = id.lane[lane] >> 3;
     fetch(s->face_light, number, same, &f0, &f1, &f2, &unused);
     surface->color.r *= as_float16(f0), surface->color.g *= as_float16(f1), surface->color.b *= as_float16(f2);
   }
@@ -113,7 +113,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   for (int lane = 0; lane < (same ? 1 : LANES); lane++)
     FOR_THREE(i)
       corner[i][lane] = vertex[i][lane] =
-          first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id[lane] >> 3) - first_number)];
+          first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> 3) - first_number)];
   gather_cuts(s, id, same, corner, surface);
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &unused, &f0);
@@ -200,23 +200,26 @@ ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, 
 
 ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->block_draw[id / (8 * LANES)]]; }
 
-// Pixels that show several primitives (NO_ID: none), one draw after the other.
+// Pixels that show several primitives (NO_ID: none). A primitive that many of the waiting pixels show is shaded for itself;
+// the others are gathered lane by lane, one draw after the other.
+#define MANY_LANES 4
 ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   Irradiance result;
   result.r = result.g = result.b = 0.0f;
+  const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
   while (any_lane(waiting)) {
-    // The draw of the first waiting lane, and all lanes whose ids belong to it; the others repeat that lane's id.
-    const ulong2 bytes = mask_bytes(waiting);
-    uint id[LANES];
-    vstore16(ids, 0, id);
-    const uint first_id = id[bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y)];
+    const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);
-    const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
-    const int16 here = waiting & (ids >= low) & (ids <= high);
-    vstore16(select((uint16)(first_id), ids, as_uint16(here)), 0, id);
+    int16 here = waiting & (ids == first_id);
     Surface surface;
-    gather_surface(s, draw, id, false, &surface);
+    if (count_lanes(here) >= MANY_LANES) {
+      gather_surface(s, draw, lanes_of(first_id), true, &surface);
+    } else {
+      const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
+      here = waiting & (ids >= low) & (ids <= high);
+      gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
+    }
     const Irradiance color = surface_color(s, &surface, p);
     result.r = select(result.r, color.r, here);
     result.g = select(result.g, color.g, here);

@@ -49,8 +49,7 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
   local float* depths = (local float*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
-    const uint page = (head - 1) / PAGE, end = head;
-    for (uint i = page * PAGE; i < end; i++) {
+    for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
       const ulong key = fragments.keys[i];
       const float depth = as_float((uint)(key >> 32));
       const uint id = (uint)key;
@@ -58,7 +57,7 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
       const float held = depths[place];
       if (depth > held || (depth == held && id < ids[place])) depths[place] = depth, ids[place] = id;
     }
-    head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
+    head = head_before(fragments.next, head);
   }
 }
 
@@ -66,13 +65,12 @@ static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
   local float* depths = (local float*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
-    const uint page = (head - 1) / PAGE, end = head;
-    for (uint i = page * PAGE; i < end; i++) {
+    for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
       const ulong key = fragments.keys[i];
       const int place = fragments.places[i];
       depths[place] = as_float((uint)(key >> 32)), ids[place] = (uint)key;
     }
-    head = fragments.next[page] ? (fragments.next[page] + 1) * PAGE : 0;
+    head = head_before(fragments.next, head);
   }
 }
 
@@ -174,20 +172,16 @@ static inline void draw_in_block(Tile tile, const TileEdges* edges, global const
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
                                   global const LargeTriangle* t, float corner, float far_depth, bool tests_depth) {
-  uint content[LANES];
-  float least_of[LANES], greatest_of[LANES];
-  vstore16(blocks->content, 0, content);
-  vstore16(blocks->least, 0, least_of);
-  vstore16(blocks->greatest, 0, greatest_of);
+  const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
     const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
-    if (content[block] != PER_PIXEL) write_out_block(tile, column, row, content[block], large, far_depth);
-    content[block] = PER_PIXEL;
-    draw_in_block(tile, edges, t, corner, column, row, tests_depth, &least_of[block], &greatest_of[block]);
+    if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, far_depth);
+    float least_depth, greatest_depth;
+    draw_in_block(tile, edges, t, corner, column, row, tests_depth, &least_depth, &greatest_depth);
+    blocks->least = select(blocks->least, (float16)(least_depth), LANE == block);
+    blocks->greatest = select(blocks->greatest, (float16)(greatest_depth), LANE == block);
   }
-  blocks->content = vload16(0, content);
-  blocks->least = vload16(0, least_of);
-  blocks->greatest = vload16(0, greatest_of);
+  blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
 
 static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
@@ -291,7 +285,7 @@ ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global c
 
 ALWAYS_INLINE Irradiance color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
   if (column->surface_id != id) {
-    gather_surface(s, draw_of(s, id), &id, true, &column->surface);
+    gather_surface(s, draw_of(s, id), lanes_of(id), true, &column->surface);
     column->surface_id = id;
   }
   return surface_color(s, &column->surface, p);
@@ -376,22 +370,18 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
     for (uint chunk = 0; chunk < chunks; chunk++) {
       global const uint* entries = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
       global const uint* next = entry_next + (size_t)chunk * frame->entry_pages;
-      for (uint head = entry_heads[(size_t)chunk * tiles + number]; head;) {
-        const uint page = (head - 1) / PAGE;
-        for (uint i = page * PAGE; i < head; i++)
+      for (uint head = entry_heads[(size_t)chunk * tiles + number]; head; head = head_before(next, head))
+        for (uint i = (head - 1) / PAGE * PAGE; i < head; i++)
           if (frame->tests_depth)
             merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
           else
             place_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
-        head = next[page] ? (next[page] + 1) * PAGE : 0;
-      }
     }
 
   // ---- 4
-  uint content[LANES];
-  vstore16(blocks.content, 0, content);
+  const Lanes content = lanes_of(blocks.content);
   uint blank = 0;
-  for (int block = 0; block < LANES; block++) blank |= content[block] == CLEAR ? 1u << block : 0u;
+  for (int block = 0; block < LANES; block++) blank |= content.lane[block] == CLEAR ? 1u << block : 0u;
   uint left_as_it_is = frame->keeps_blank_tiles ? blank & blank_blocks[number] : 0u;
   left_as_it_is &= left_as_it_is >> 1;  // bits of even blocks: both of the pair
   blank_blocks[number] = blank;
@@ -410,7 +400,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
   const int rows = min(TILE, frame->height - tile.y);
   for (int first_row = 0; first_row < rows; first_row += TILE_BLOCK) {
     const int first_block = first_row / TILE_BLOCK * (TILE / TILE_BLOCK);
-    for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content[first_block + i], large);
+    for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content.lane[first_block + i], large);
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
       for (int pair = 0; pair < TILE / TILE_BLOCK; pair += 2) {
         if (left_as_it_is >> (first_block + pair) & 1u) continue;

@@ -18,6 +18,18 @@
 
 #define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
+// A vector whose lanes are looked at one by one. (Read only: a vector load after a store of one lane waits for it.)
+typedef union {
+  uint16 all;
+  uint lane[LANES];
+} Lanes;
+
+static inline Lanes lanes_of(uint16 vector) {
+  Lanes lanes;
+  lanes.all = vector;
+  return lanes;
+}
+
 // One byte a lane, two longs: what the loops over set lanes walk through.
 static inline ulong2 mask_bytes(int16 mask) { return as_ulong2(convert_char16(mask)); }
 
@@ -26,9 +38,19 @@ static inline bool any_lane(int16 mask) {
   return (bytes.x | bytes.y) != 0;
 }
 
+static inline int count_lanes(int16 mask) {
+  const ulong2 bytes = mask_bytes(mask);
+  return (int)(popcount(bytes.x) + popcount(bytes.y)) / 8;
+}
+
 // The lowest set lane of eight, from their bytes, and the bytes without it.
 static inline int lowest_lane(ulong bytes) { return (63 - (int)clz(bytes & -bytes)) >> 3; }
 static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffUL << (lane * 8)); }
+
+static inline int first_lane(int16 mask) {
+  const ulong2 bytes = mask_bytes(mask);
+  return bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y);
+}
 
 // for (lane of the mask, ascending)
 #define FOR_EACH_LANE(lane, mask)                                                                       \

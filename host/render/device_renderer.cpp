@@ -1,6 +1,7 @@
 #include "host/render/device_renderer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "host/device/launch.hpp"
@@ -98,16 +99,17 @@ class DeviceRenderer : public Renderer {
     draws_.update(queue(), tables_.draws);
     targets_.update(queue(), tables_.targets);
     lights_.update(queue(), tables_.lights);
-    const auto count_of = [](const layout::DrawConstants& draw) {
-      return std::pair(draw.group_count, draw.block_count);
+    const auto place_of = [](const layout::DrawConstants& draw) {
+      return std::array{draw.group_count, draw.block_count, draw.first_position};
     };
-    std::vector<std::pair<uint, uint>> counts(tables_.draws.size());
-    std::transform(tables_.draws.begin(), tables_.draws.end(), counts.begin(), count_of);
-    if (counts == uploaded_counts_) return;
-    uploaded_counts_.clear();
+    std::vector<std::array<uint, 3>> places(tables_.draws.size());
+    std::transform(tables_.draws.begin(), tables_.draws.end(), places.begin(), place_of);
+    if (places == uploaded_places_) return;
+    uploaded_places_.clear();
     group_draw_.update(queue(), draw_of_groups(tables_.draws));
     block_draw_.update(queue(), draw_of_blocks(tables_.draws));
-    uploaded_counts_ = std::move(counts);
+    position_draw_.update(queue(), draw_of_positions(tables_.draws));
+    uploaded_places_ = std::move(places);
   }
 
   // Chunks are a matter of load only: enough of them for the threads to share, each big enough to be worth its bins.
@@ -190,10 +192,10 @@ class DeviceRenderer : public Renderer {
              status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
     }
     launch(queue(), kernel("bin_primitives", "bin_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-           block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), clip_source_.buffer(), clip_count_.buffer(),
-           fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(), fragment_places_.buffer(),
-           entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(), large_.buffer(), status_.buffer(),
-           overflow_.buffer());
+           block_draw_.buffer(), position_draw_.buffer(), meshes_.indices(), vertices_.buffer(), clip_source_.buffer(),
+           clip_count_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(),
+           fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(),
+           large_.buffer(), status_.buffer(), overflow_.buffer());
     const std::size_t tile_bytes = std::size_t{layout::tile} * layout::tile * 4;
     launch(queue(), kernel("shade_tiles", "shade_tiles"),
            cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), one, frame_.buffer(),
@@ -238,8 +240,8 @@ class DeviceRenderer : public Renderer {
   DeviceTable<layout::TargetConstants> targets_{session_->context()};
   DeviceTable<layout::LightConstants> lights_{session_->context()};
   DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
-      changed_chunks_{session_->context()};
-  std::vector<std::pair<uint, uint>> uploaded_counts_;  // groups and blocks of each draw, as the two tables have them
+      position_draw_{session_->context()}, changed_chunks_{session_->context()};
+  std::vector<std::array<uint, 3>> uploaded_places_;  // of each draw, as the three tables have them
   SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_light_ = buffer(),
                vertex_status_ = buffer();
   SharedBuffer clip_source_ = buffer(), clip_count_ = buffer(), clip_weights_ = buffer();

@@ -1,6 +1,7 @@
 #include "host/render/frame_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -94,6 +95,27 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   return frame;
 }
 
+// How far a draw's middle lies from the eye, in any unit.
+float distance_of(const Draw& draw, const StoredMesh& mesh, bool parallel) {
+  const Row& row = draw.object_to_clip[parallel ? 2 : 3];
+  const float along = row[0] * mesh.middle.x + row[1] * mesh.middle.y + row[2] * mesh.middle.z + row[3];
+  const float distance = parallel ? -along : along;
+  return std::isnan(distance) ? 0.0f : distance;
+}
+
+// Numbers the positions of all blocks, near draws first.
+void order_by_distance(const FramePlan& plan, const MeshStore& meshes, std::vector<layout::DrawConstants>& draws) {
+  std::vector<std::pair<float, uint>> order;
+  for (uint i = 0; i < draws.size(); ++i)
+    order.emplace_back(distance_of(plan.draws[i], meshes.stored(*plan.draws[i].mesh), plan.parallel), i);
+  std::sort(order.begin(), order.end());
+  uint position = 0;
+  for (const auto& [distance, draw] : order) {
+    draws[draw].first_position = position;
+    position += draws[draw].block_count;
+  }
+}
+
 template <uint layout::DrawConstants::*count>
 std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
   std::vector<uint> numbers;
@@ -119,6 +141,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
   }
+  order_by_distance(plan, meshes, tables.draws);
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, row_pitch);
   if (!tables.draws.empty()) {
@@ -134,6 +157,14 @@ std::vector<uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws
 
 std::vector<uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws) {
   return numbers_of_draws<&layout::DrawConstants::block_count>(draws);
+}
+
+std::vector<uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws) {
+  std::vector<uint> numbers;
+  if (!draws.empty()) numbers.resize(draws.back().first_block + draws.back().block_count);
+  for (std::size_t draw = 0; draw < draws.size(); ++draw)
+    std::fill_n(numbers.begin() + draws[draw].first_position, draws[draw].block_count, static_cast<uint>(draw));
+  return numbers;
 }
 
 }  // namespace morphcl

@@ -25,5 +25,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size
 // For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.
 std::vector<layout::uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws);
 std::vector<layout::uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws);
+// For each position the draw whose block is binned there.
+std::vector<layout::uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws);
 
 }  // namespace morphcl

@@ -17,7 +17,7 @@ bool same_bytes(const T& a, const T& b) {
 }
 
 template <class T>
-bool same_values(const std::vector<T>& a, const std::vector<T>& b) {
+bool same_tables(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
@@ -34,6 +34,7 @@ bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const 
   const auto targets = tables.targets.begin() + now.first_target;
   const auto targets_before = drawn_.targets.begin() + before.first_target;
   now.first_target = before.first_target;
+  now.first_position = before.first_position;
   return same_bytes(now, before) &&
          std::equal(targets, targets + now.target_count, targets_before, same_bytes<layout::TargetConstants>);
 }
@@ -58,8 +59,10 @@ std::vector<uint> KeptVertices::changed_chunks(const FrameTables& tables) const 
 }
 
 bool KeptVertices::faces_changed(const FrameTables& tables) const {
-  return !same_view(tables) || !same_values(tables.lights, drawn_.lights) || !same_values(tables.draws, drawn_.draws) ||
-         !same_values(tables.targets, drawn_.targets);
+  if (!same_view(tables) || !same_tables(tables.lights, drawn_.lights)) return true;
+  for (std::size_t draw = 0; draw < tables.draws.size(); ++draw)
+    if (!same_draw(tables, draw)) return true;
+  return false;
 }
 
 }  // namespace morphcl

@@ -10,7 +10,7 @@ using uint = std::uint32_t;
 #include "kernels/layout.h"
 
 // Every member is 4 bytes wide, so device and host agree when the totals do.
-static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 13));
+static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 14));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(FrameConstants) == 4 * 46);

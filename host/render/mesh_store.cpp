@@ -64,8 +64,16 @@ void write_primitives(const std::vector<Primitive>& primitives, const StoredMesh
   }
 }
 
+glm::vec3 middle_of(const Mesh& mesh) {
+  if (mesh.positions.empty()) return glm::vec3(0.0f);
+  glm::vec3 low = mesh.positions.front(), high = low;
+  for (const glm::vec3& position : mesh.positions) low = glm::min(low, position), high = glm::max(high, position);
+  return 0.5f * low + 0.5f * high;
+}
+
 StoredMesh place(const Mesh& mesh, Allocation& data) {
   StoredMesh placed;
+  placed.middle = middle_of(mesh);
   const std::size_t pitch = padded(mesh.positions.size());
   placed.pitch = static_cast<layout::uint>(pitch);
   placed.vertex_groups = placed.pitch / layout::lanes;

@@ -15,6 +15,7 @@ namespace morphcl {
 
 // Offsets count floats (attributes) or uints (indices); layout::no_id: the mesh has no such attribute.
 struct StoredMesh {
+  glm::vec3 middle{0.0f};  // of the base's bounding box
   layout::uint vertex_groups = 0;
   layout::uint pitch = 0;  // floats from one plane to the next
   layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id;
