@@ -1,13 +1,10 @@
-// What the plan leaves out, and that it leaves out nothing that shows.
+// What the plan leaves out, and what it says about it.
 #include <gtest/gtest.h>
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
 #include "host/render/plan/report.hpp"
-#include "host/render/reference_renderer.hpp"
-#include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
-#include "tests/render/test_scenes.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -29,49 +26,6 @@ TEST(Plan, ObjectsOutOfViewAreLeftOut) {
   const FramePlan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
   EXPECT_EQ(plan.draws.size(), 1u);
   EXPECT_FALSE(is_done(b.scene(), "objects out of view"));
-}
-
-// The same picture when the plan's judgement of what is out of view is taken away: every object is drawn by hand.
-TEST(Plan, LeavingOutObjectsChangesNoPixel) {
-  const auto renderer = make_reference_renderer();
-  for (const TestScene& test : test_scenes(96, 64)) {
-    SCOPED_TRACE(test.name);
-    const FramePlan whole = plan_frame(test.scene, 0);
-    FrameBuffer planned(96, 64, true, true), merged(96, 64, true, true);
-    renderer->render(whole, planned);
-    // One object with a box around everything is never left out; its draws are the whole scene's.
-    FramePlan everything = whole;
-    everything.draws.clear();
-    for (std::size_t i = 0; i < test.scene.objects.size(); ++i) {
-      Scene alone = test.scene;
-      alone.objects = {test.scene.objects[i]};
-      alone.timeline.weights = {test.scene.timeline.weights[i]};
-      // A far corner in every direction keeps the box in view; it belongs to no triangle.
-      Mesh& mesh = alone.meshes[alone.objects[0].mesh];
-      const std::size_t vertices = mesh.positions.size();
-      const auto widen = [&](const glm::vec3& corner) {
-        mesh.positions.push_back(corner);
-        if (!mesh.normals.empty()) mesh.normals.push_back({0, 0, 1});
-        if (!mesh.colors.empty()) mesh.colors.push_back(glm::vec4(1));
-        for (MorphTarget& target : mesh.targets) {
-          if (!target.positions.empty())
-            target.positions.push_back(target.form == TargetForm::absolute ? corner : glm::vec3(0));
-          if (!target.normals.empty()) target.normals.push_back({0, 0, 1});
-          if (!target.colors.empty()) target.colors.push_back(glm::vec4(0));
-        }
-      };
-      widen(glm::vec3(-1e7f)), widen(glm::vec3(1e7f));
-      FramePlan plan = plan_frame(alone, 0);
-      for (Draw& draw : plan.draws) {
-        draw.mesh = &test.scene.meshes[test.scene.objects[i].mesh];
-        EXPECT_EQ(draw.mesh->positions.size(), vertices);
-        everything.draws.push_back(draw);
-      }
-    }
-    EXPECT_GE(everything.draws.size(), whole.draws.size());
-    renderer->render(everything, merged);
-    EXPECT_TRUE(same_pixels(merged, planned));
-  }
 }
 
 TEST(Plan, TargetsOfWeightZeroAreNotActive) {

@@ -13,6 +13,7 @@
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
+#include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/view_volume.hpp"
 
 namespace morphcl {
@@ -167,6 +168,7 @@ FramePlan Planner::Impl::plan(std::int64_t frame) {
     throw Error(kind, error.place(), fmt::format("frame {}: {}", frame, error.message()));
   }
   plan.divides = !options.divide || std::any_of(plan.draws.begin(), plan.draws.end(), divides_by_w);
+  plan.tests_depth = !options.depth_test || !is_covered_once(plan);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
+#include "host/render/plan/single_cover.hpp"
 
 namespace morphcl {
 
@@ -108,6 +109,10 @@ class Notes {
          !plan_.divides   ? "orthographic: w is 1"
          : plan_.parallel ? "orthographic: w is 1; nothing is to be left out"
                           : "perspective");
+    note("depth test", plan_.tests_depth,
+         plan_.tests_depth           ? "triangles may lie behind others"
+         : has_convex_outline(plan_) ? "no pixel is covered twice: front faces within a convex outline"
+                                     : "no pixel is covered twice: front faces within a star-shaped outline");
   }
 
   const Scene& scene_;

@@ -1,0 +1,75 @@
+#include "host/render/plan/single_cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "host/render/plan/screen_boundary.hpp"
+#include "host/render/reference/scene_vertices.hpp"
+
+namespace morphcl {
+
+namespace {
+
+using reference::ScreenVertex;
+using reference::Vertex;
+
+// More cost more to prove than the proof saves.
+constexpr std::size_t most_triangles = 4096;
+
+std::vector<Vertex> project(const FramePlan& plan) {
+  Draw draw = plan.draws[0];
+  draw.shading = Shading::unlit, draw.vertex_colors = false;  // positions are enough
+  return reference::project_vertices(draw, plan, RasterGrid(plan.width, plan.height));
+}
+
+// At least as much as the depth that renderers compute at a pixel of this triangle can leave the interval of its
+// corners'. Renderers measure from a corner to the pixel, at most a tile of 64 pixels beyond the triangle's box: two
+// products of differences and one of depths each, over the area, 16 roundings of 2^-24 at most.
+double depth_rounding(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double area) {
+  const double extent = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y),
+                                  std::abs(c.x - b.x), std::abs(c.y - b.y)});
+  const double rise = std::max(std::abs(double{b.depth} - a.depth), std::abs(double{c.depth} - a.depth)) +
+                      std::abs(double{c.depth} - b.depth);
+  return 16 * 0x1p-24 * (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + 64 * 256) / area));
+}
+
+// The outline of the frame's only draw; nothing where the frame is no candidate, or some depth may reach the far plane.
+std::optional<ScreenBoundary> find_boundary(const FramePlan& plan) {
+  if (plan.draws.size() != 1 || plan.clips) return std::nullopt;
+  const Draw& draw = plan.draws[0];
+  const std::vector<glm::uvec3>& triangles = draw.mesh->triangles;
+  if (draw.double_sided || draw.shading == Shading::wireframe || triangles.size() > most_triangles ||
+      draw.mesh->positions.size() > 3 * most_triangles)
+    return std::nullopt;
+  const std::vector<Vertex> vertices = project(plan);
+  ScreenBoundary boundary(triangles.size());
+  // On the screen y points down: to give front faces a positive area, two corners change places.
+  const int second = draw.mirrored ? 1 : 2, third = draw.mirrored ? 2 : 1;
+  for (const glm::uvec3& triangle : triangles) {
+    const Vertex &a = vertices[triangle[0]], &b = vertices[triangle[second]], &c = vertices[triangle[third]];
+    if ((a.outcode | b.outcode | c.outcode) != 0) return std::nullopt;
+    const ScreenVertex &p = a.screen, &q = b.screen, &r = c.screen;
+    const std::int64_t area = doubled_area({p.x, p.y}, {q.x, q.y}, {r.x, r.y});
+    if (area <= 0) continue;
+    const double lowest = std::min({p.depth, q.depth, r.depth});
+    if (!(lowest - depth_rounding(p, q, r, static_cast<double>(area)) > plan.far_depth)) return std::nullopt;
+    boundary.add({p.x, p.y}, {q.x, q.y}, {r.x, r.y});
+  }
+  boundary.finish();
+  return boundary;
+}
+
+}  // namespace
+
+bool is_covered_once(const FramePlan& plan) {
+  const std::optional<ScreenBoundary> boundary = find_boundary(plan);
+  return boundary && boundary->is_star_shaped();
+}
+
+bool has_convex_outline(const FramePlan& plan) {
+  const std::optional<ScreenBoundary> boundary = find_boundary(plan);
+  return boundary && boundary->is_convex();
+}
+
+}  // namespace morphcl

@@ -1,0 +1,197 @@
+// Objects out of view are found by bounds over all time in a hierarchy: no object that may show is lost on the way.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "anim/timeline_at.hpp"
+#include "host/geometry/solids.hpp"
+#include "host/math/composite_transform.hpp"
+#include "host/render/plan.hpp"
+#include "host/render/plan/motion_bounds.hpp"
+#include "host/render/plan/object_tree.hpp"
+#include "host/render/plan/view_volume.hpp"
+#include "tests/render/scene_builder.hpp"
+
+namespace morphcl::test {
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double number(double reach = 1) { return std::uniform_real_distribution<double>(-reach, reach)(engine_); }
+  glm::dvec3 vector(double reach = 1) { return {number(reach), number(reach), number(reach)}; }
+  bool one_in(unsigned n) { return engine_() % n == 0; }
+  unsigned below(unsigned n) { return static_cast<unsigned>(engine_() % n); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+HalfSpaces view_from(const glm::dvec3& eye, Random& random, const Projection& projection) {
+  CompositeTransform turn;
+  turn.rotate_about_axis({0, 0, 0}, random.vector() + glm::dvec3(0, 0, 1.5), 180 * random.number());
+  const ViewVolume volume = make_view_volume(projection, 160, 90);
+  glm::dmat4 to_eye = turn.matrix();
+  to_eye[3] = to_eye * glm::dvec4(-eye, 1.0);
+  return HalfSpaces(volume.view, volume.eye_to_clip * to_eye);
+}
+
+TEST(ObjectTree, FindsWhatIsNotOutsideAndNothingElse) {
+  Random random(1);
+  for (const unsigned count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 3000u}) {
+    std::vector<std::optional<BoundedBox>> boxes;
+    for (unsigned i = 0; i < count; ++i) {
+      const glm::dvec3 center = random.vector(30), half = glm::abs(random.vector(random.one_in(50) ? 40 : 1));
+      if (random.one_in(100))
+        boxes.emplace_back();
+      else
+        boxes.push_back(BoundedBox{center, half, glm::abs(center) + half});
+    }
+    const ObjectTree tree(boxes);
+    ObjectTree::InView found;
+    unsigned inside = 0, outside = 0;
+    for (int view = 0; view < 20; ++view) {
+      const HalfSpaces planes =
+          view_from(random.vector(20), random,
+                    view % 2 ? Projection(Perspective{60, 0.1, 40}) : Projection(Orthographic{-9, 9, -5, 5, -4, 30}));
+      tree.find(planes, found);
+      for (unsigned i = 0; i < count; ++i) {
+        const Side side = boxes[i] ? planes.side(*boxes[i]) : Side::touching;
+        EXPECT_EQ(found.candidates.contains(i), side != Side::outside) << count << " objects, object " << i;
+        EXPECT_EQ(found.inside.contains(i), side == Side::inside) << count << " objects, object " << i;
+        inside += side == Side::inside, outside += side == Side::outside;
+      }
+    }
+    if (count >= 3000) {
+      EXPECT_GT(inside, 100u);
+      EXPECT_GT(outside, 100u);
+    }
+  }
+}
+
+TEST(ObjectTree, KeepsObjectsApartThatShareOnePlace) {
+  const std::vector<std::optional<BoundedBox>> boxes(1000, BoundedBox{{1, 2, -9}, glm::dvec3(0), glm::dvec3(9)});
+  const ObjectTree tree(boxes);
+  ObjectTree::InView found;
+  const ViewVolume volume = make_view_volume(Perspective{60, 0.1, 40}, 160, 90);
+  tree.find(HalfSpaces(volume.view, volume.eye_to_clip), found);
+  std::vector<std::size_t> objects;
+  found.candidates.for_each([&](std::size_t object) { objects.push_back(object); });
+  ASSERT_EQ(objects.size(), 1000u);
+  for (std::size_t i = 0; i < objects.size(); ++i) EXPECT_EQ(objects[i], i);
+}
+
+Track random_track(Random& random, int width, bool rotation, double reach) {
+  const auto kind = static_cast<Interpolation>(random.below(3));
+  const int keys = 2 + static_cast<int>(random.below(3));
+  std::vector<std::int64_t> ticks;
+  std::vector<double> values;
+  for (int key = 0; key < keys; ++key) {
+    ticks.push_back(key * 7'000'000);
+    const int per_key = kind == Interpolation::cubic ? 3 * width : width;
+    for (int i = 0; i < per_key; ++i) values.push_back(random.number(reach));
+  }
+  return Track(kind, width, rotation, 25'000'000, ticks, values);
+}
+
+TEST(BoundsOverTime, HoldTheObjectAtEveryFrame) {
+  Random random(5);
+  int bounded = 0, moving = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    Timeline timeline;
+    timeline.nodes.resize(4);
+    for (int i = 0; i < 4; ++i) {
+      Node& node = timeline.nodes[i];
+      node.parent = i - 1;
+      node.translation = random.vector(5), node.scale = random.vector(2);
+      node.rotation = {1, random.number(), random.number(), random.number()};
+      for (int column = 0; column < 4; ++column) node.static_transform[column] += glm::dvec4(random.vector(0.5), 0.0);
+      if (random.one_in(3)) node.translation_track = random_track(random, 3, false, 6);
+      if (random.one_in(3)) node.rotation_track = random_track(random, 4, true, 1);
+      if (random.one_in(3)) node.scale_track = random_track(random, 3, false, 2);
+    }
+    timeline.validate();
+    const Box box{{-1, 0, -0.5}, {0.5, 2, 3}};
+    NodeSampler sampler(timeline.nodes);
+    const std::optional<BoundedBox> bounds = bounds_over_time(timeline.nodes, sampler, 3, box);
+    ASSERT_TRUE(bounds);
+    ++bounded, moving += !sampler.is_still(3);
+    for (std::int64_t frame = -1; frame < 30; ++frame) {
+      sampler.go_to(tick_of(timeline, frame));
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(sampler.to_world(3) * glm::dvec4(box.corner(corner), 1.0));
+        for (int axis = 0; axis < 3; ++axis) {
+          ASSERT_LE(std::abs(p[axis] - bounds->center[axis]), bounds->half[axis]) << trial << ' ' << frame;
+          ASSERT_LE(std::abs(p[axis]), bounds->magnitude[axis] * (1 + 1e-12)) << trial << ' ' << frame;
+        }
+      }
+    }
+  }
+  EXPECT_GT(moving, 50);
+  EXPECT_LT(moving, bounded);
+}
+
+TEST(BoundsOverTime, OfWhatMayOverflowOrMovesTooDeepAreUnknown) {
+  Timeline timeline;
+  timeline.nodes.resize(70);
+  for (int i = 0; i < 70; ++i) timeline.nodes[i].parent = i - 1;
+  timeline.nodes[0].scale_track = Track(Interpolation::step, 3, false, 25, {0}, {1, 1, 1});
+  const NodeSampler sampler(timeline.nodes);
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_TRUE(bounds_over_time(timeline.nodes, sampler, 63, box));
+  EXPECT_FALSE(bounds_over_time(timeline.nodes, sampler, 64, box));
+  timeline.nodes[0].scale_track =
+      Track(Interpolation::cubic, 3, false, 1, {0, 1000}, {0, 0, 0, 1, 1, 1, 1e308, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0});
+  EXPECT_FALSE(bounds_over_time(timeline.nodes, sampler, 0, box));
+}
+
+TEST(WeightRanges, FollowTheLastTrackOfATarget) {
+  MorphWeights morph;
+  morph.weights = {0.25, 0, 0};
+  const auto track = [](std::vector<double> values, int width) {
+    return Track(Interpolation::linear, width, false, 25, {0, 10}, std::move(values));
+  };
+  morph.tracks = {{1, track({-5, 0, 5, 1}, 2)}, {1, track({0.5, 0.75}, 1)}};
+  std::vector<Interval> ranges;
+  weight_ranges(morph, ranges);
+  ASSERT_EQ(ranges.size(), 3u);
+  EXPECT_EQ(ranges[0].lower, 0.25);
+  EXPECT_EQ(ranges[0].upper, 0.25);
+  EXPECT_NEAR(ranges[1].lower, 0.5, 1e-9);
+  EXPECT_NEAR(ranges[1].upper, 0.75, 1e-9);
+  EXPECT_NEAR(ranges[2].upper, 1, 1e-9);
+}
+
+// A frame's plan does not depend on the frames that were planned before it, nor on when it is made.
+TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
+  Random random(9);
+  SceneBuilder b(160, 90);
+  for (int i = 0; i < 300; ++i) {
+    b.add(make_pyramid_to_cube(), Shading::flat, place(random.vector(8), 0.004));
+    Scene& scene = b.scene();
+    if (i % 3 == 0) scene.timeline.nodes.back().rotation_track = random_track(random, 4, true, 1);
+    if (i % 5 == 0) scene.timeline.nodes.back().visible_track = random_track(random, 1, false, 1);
+    if (i % 2 == 0) scene.timeline.weights.back().tracks.push_back({0, random_track(random, 1, false, 1)});
+  }
+  b.look({0, 0, 4}).scene().timeline.camera.target_track = random_track(random, 3, false, 4);
+  const Planner planner(b.scene());
+  std::size_t most = 0;
+  for (const std::int64_t frame : {3, 17, 4, 4, 0, 17, 28}) {
+    const FramePlan again = planner.plan(frame), alone = plan_frame(b.scene(), frame);
+    ASSERT_EQ(again.draws.size(), alone.draws.size()) << "frame " << frame;
+    EXPECT_EQ(again.clips, alone.clips);
+    for (std::size_t i = 0; i < alone.draws.size(); ++i) {
+      EXPECT_EQ(again.draws[i].object, alone.draws[i].object);
+      EXPECT_EQ(again.draws[i].object_to_clip, alone.draws[i].object_to_clip);
+      EXPECT_EQ(again.draws[i].normal_to_eye, alone.draws[i].normal_to_eye);
+      EXPECT_TRUE(std::equal(again.draws[i].targets.begin(), again.draws[i].targets.end(),
+                             alone.draws[i].targets.begin(), alone.draws[i].targets.end()));
+      EXPECT_TRUE(i == 0 || alone.draws[i - 1].object < alone.draws[i].object) << "drawn in the scene's order";
+    }
+    most = std::max(most, alone.draws.size());
+  }
+  EXPECT_GT(most, 10u);
+}
+
+}  // namespace
+}  // namespace morphcl::test

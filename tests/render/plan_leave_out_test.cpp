@@ -1,0 +1,121 @@
+// Whatever a plan leaves out, the picture is the same: on the reference and on the device, item by item and all at
+// once.
+#include <gtest/gtest.h>
+
+#include "host/geometry/solids.hpp"
+#include "host/render/device_renderer.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "tests/render/parity.hpp"
+#include "tests/render/scene_builder.hpp"
+#include "tests/render/shared_session.hpp"
+#include "tests/render/test_scenes.hpp"
+
+namespace morphcl::test {
+namespace {
+
+constexpr int width = 150, height = 90;
+
+struct Choice {
+  const char* name;
+  PlanOptions options;
+};
+
+const Choice choices[] = {
+    {"nothing is left out", {.leave_out = false}},
+    {"objects out of view are drawn", {.objects_out_of_view = false}},
+    {"targets of weight 0 are applied", {.idle_targets = false}},
+    {"normals are carried", {.normals = false}},
+    {"everything may be clipped", {.clipping = false}},
+    {"everything is divided by w", {.divide = false}},
+    {"depths are compared", {.depth_test = false}},
+    {"vertices are projected again", {.kept_vertices = false}},
+    {"blank tiles are written again", {.blank_tiles = false}},
+};
+
+FrameBuffer draw(Renderer& renderer, const Planner& planner, std::int64_t frame) {
+  const FramePlan plan = planner.plan(frame);
+  FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
+  renderer.render(plan, pixels);
+  return pixels;
+}
+
+TEST(LeaveOut, OnTheReferenceNoPixelChanges) {
+  const auto renderer = make_reference_renderer();
+  for (const TestScene& test : test_scenes(width, height)) {
+    const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
+    for (const std::int64_t frame : test.frames) {
+      const FrameBuffer expected = draw(*renderer, usual, frame), actual = draw(*renderer, nothing_left_out, frame);
+      EXPECT_TRUE(same_pixels(expected, actual)) << test.name << ", frame " << frame;
+    }
+  }
+}
+
+TEST(LeaveOut, OnTheDeviceNoPixelChanges) {
+  const auto renderer = make_device_renderer(shared_session());
+  for (const TestScene& test : test_scenes(width, height)) {
+    const Planner usual(test.scene);
+    for (const Choice& choice : choices) {
+      SCOPED_TRACE(test.name + ": " + choice.name);
+      const Planner planner(test.scene, choice.options);
+      for (const std::int64_t frame : test.frames) {
+        const FrameBuffer expected = draw(*renderer, usual, frame), actual = draw(*renderer, planner, frame);
+        EXPECT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
+      }
+    }
+  }
+}
+
+// The test scenes give every item something to leave out; else the tests above would compare a plan with itself.
+TEST(LeaveOut, EveryItemIsLeftOutSomewhere) {
+  bool objects = false, targets = false, normals = false, clipping = false, divide = false, depth_test = false;
+  for (const TestScene& test : test_scenes(width, height)) {
+    const FramePlan usual = plan_frame(test.scene, 0), whole = plan_frame(test.scene, 0, {.leave_out = false});
+    EXPECT_TRUE(whole.clips && whole.divides && whole.tests_depth) << test.name;
+    EXPECT_FALSE(whole.keeps_vertices || whole.keeps_blank_tiles) << test.name;
+    EXPECT_TRUE(usual.keeps_vertices && usual.keeps_blank_tiles) << test.name;
+    objects |= usual.draws.size() < whole.draws.size();
+    clipping |= !usual.clips, divide |= !usual.divides, depth_test |= !usual.tests_depth;
+    for (const Draw& draw : whole.draws) {
+      EXPECT_EQ(draw.targets.size(), draw.mesh->targets.size()) << test.name;
+      for (const ActiveTarget& target : draw.targets) targets |= target.weight == 0.0f;
+    }
+    for (std::size_t i = 0; i < usual.draws.size() && usual.draws.size() == whole.draws.size(); ++i)
+      normals |= usual.draws[i].shading != whole.draws[i].shading;
+  }
+  EXPECT_TRUE(objects && targets && normals && clipping && divide && depth_test)
+      << objects << targets << normals << clipping << divide << depth_test;
+}
+
+// Coordinates that cancel in single precision: what is judged in binary64 as just outside may be drawn just inside.
+TEST(LeaveOut, ObjectsWhoseCoordinatesCancelAreJudgedWithTheirRounding) {
+  const auto renderer = make_reference_renderer();
+  int drawn = 0;
+  for (int step = 0; step < 40; ++step) {
+    SceneBuilder b(64, 48);
+    Mesh mesh = make_cube();
+    for (glm::vec3& p : mesh.positions) p = 0.125f * p + glm::vec3(4e6f, 0, 0);
+    // The view's right edge is at x = 5 tan(22.5 degrees) 4/3 = 2.7614 where z = 0.
+    b.add(mesh, Shading::flat, place({-4e6 + 2.6 + 0.02 * step, 0, 0}));
+    b.look({0, 0, 5});
+    const Planner usual(b.scene()), nothing_left_out(b.scene(), {.leave_out = false});
+    const FrameBuffer expected = draw(*renderer, nothing_left_out, 0), actual = draw(*renderer, usual, 0);
+    EXPECT_TRUE(same_pixels(expected, actual)) << "step " << step;
+    drawn += covered_pixels(expected) > 0;
+  }
+  EXPECT_GT(drawn, 0);
+  EXPECT_LT(drawn, 40);
+}
+
+// Beyond 1e33 a vertex counts as invalid and its triangles are not drawn: by every renderer, so it is never skipped.
+TEST(LeaveOut, ClippingIsNotLeftOutWhereCoordinatesAreInvalid) {
+  SceneBuilder b(64, 48);
+  b.add(make_cube(), Shading::flat, place({0, 0, -5e34}, 1e34));
+  b.look({0, 0, 5}).project(Perspective{45, 0.1, std::numeric_limits<double>::infinity()});
+  EXPECT_TRUE(plan_frame(b.scene(), 0).clips);
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  const Planner planner(b.scene());
+  EXPECT_TRUE(same_pixels(draw(*reference, planner, 0), draw(*device, planner, 0)));
+}
+
+}  // namespace
+}  // namespace morphcl::test
