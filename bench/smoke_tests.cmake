@@ -17,3 +17,8 @@ foreach(scene IN ITEMS morph heavy wire)
   add_test(NAME bench/shot_${scene} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/shot_smoke_test.sh $<TARGET_FILE:morphcl_bench_shot>
     $<TARGET_FILE:morphcl_bench_draw> $<TARGET_FILE:morphcl_bench_picture> $<TARGET_FILE:morphcl_tool> ${scene})
 endforeach()
+
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME bench/lib COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tests/lib_test.py)
+endif()

@@ -4,25 +4,24 @@ import shutil
 import subprocess
 
 PACKAGES = "gnuplot-nox"
-COLORS = ["#1b6ca8", "#d1495b", "#66a182", "#edae49", "#6a4c93", "#3d3d3d"]
+# By the first word of a curve's label: who it is about. A second curve of the same one differs by dashes and points.
+COLORS = {"morphcl": "#1b6ca8", "llvmpipe": "#d1495b"}
+OTHER_COLOR = "#4d4d4d"
+POINTS = [7, 6, 5, 4, 9, 8]
 
 
 def available():
     return shutil.which("gnuplot") is not None
 
 
-def number_label(value):
-    """100000 -> 10^5, as gnuplot writes it."""
-    return f"{value:g}"
-
-
-def lines(path, title, x_label, y_label, curves, *, log_x=True, log_y=True, ticks=None):
-    """`curves`: label -> [(x, y), ...]. `ticks`: {x: label}, or gnuplot's own. Both axes start where the values do; a
-    linear y axis starts at 0."""
-    script = ["set terminal svg size 640,400 dynamic enhanced font 'sans-serif,13' background '#ffffff'",
+def lines(path, title, x_label, y_label, curves, *, log_x=True, log_y=True, ticks=None, fits=()):
+    """`curves`: label -> [(x, y), ...]; those named in `fits` are lines without points, and the others then points
+    without lines. `ticks`: {x: label}, or gnuplot's own. A linear y axis starts at 0."""
+    script = ["set terminal svg size 720,360 dynamic enhanced font 'sans-serif,13' background '#ffffff'",
               f"set output {quoted(path)}", f"set title {quoted(title)} noenhanced",
               f"set xlabel {quoted(x_label)} noenhanced", f"set ylabel {quoted(y_label)} noenhanced",
-              "set grid lw 0.5 lc rgb '#cccccc'", "set key top left noenhanced", "set border 3", "set tics nomirror"]
+              "set grid lw 0.5 lc rgb '#cccccc'", "set border 3", "set tics nomirror",
+              "set key outside right center noenhanced samplen 3 Left reverse"]
     if log_x:
         script += ["set logscale x 10", "set format x '10^{%T}'"]
     if log_y:
@@ -33,10 +32,20 @@ def lines(path, title, x_label, y_label, curves, *, log_x=True, log_y=True, tick
         script += ["set format x '%g'", f"set xtics ({', '.join(f'{quoted(label)} {x}' for x, label in ticks.items())})"]
     for index, points in enumerate(curves.values()):
         script += [f"$curve{index} << EOD", *(f"{x} {y}" for x, y in points), "EOD"]
-    script.append("plot " + ", ".join(
-        f"$curve{index} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{COLORS[index % len(COLORS)]}' "
-        f"title {quoted(label)}" for index, label in enumerate(curves)))
+    script.append("plot " + ", ".join(f"$curve{index} using 1:2 {style} title {quoted(label)}"
+                                      for index, (label, style) in enumerate(styles(curves, fits))))
     subprocess.run(["gnuplot"], input="\n".join(script), text=True, check=True)
+
+
+def styles(curves, fits):
+    seen = {}
+    for label in curves:
+        owner = label.split()[0].rstrip(",")
+        color, turn = COLORS.get(owner, OTHER_COLOR), seen.setdefault(owner, 0)
+        seen[owner] += 1
+        kind = "lines" if label in fits else "points" if fits else "linespoints"
+        point = "" if label in fits else f" pt {POINTS[turn % len(POINTS)]} ps {0.9 if fits else 0.5}"
+        yield label, f"with {kind} lc rgb '{color}'{point}" + ("" if kind == "points" else f" lw 2 dt {turn + 1}")
 
 
 def quoted(text):

@@ -46,8 +46,8 @@ class Watched:
 
 
 def watch(commands, environment=None):
-    """Runs commands at the same time that print a line of JSON {"frame": ..., "path": ...} when a file is complete. Any
-    failure ends this process."""
+    """Runs commands at the same time that print a line of JSON {"frame": ..., "path": ...} when a file is complete,
+    each in one write, as they share a pipe. Any failure ends this process."""
     reading, writing = os.pipe()
     with tempfile.TemporaryFile(mode="w+") as errors:
         start = time.monotonic()

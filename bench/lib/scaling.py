@@ -70,18 +70,18 @@ def write_plots(wanted, rows, grown, folder):
         curves = curves_of(rows, part.name)
         ticks = {x: f"{x:g}" for points in curves.values() for x, _ in points} if part.small_x else None
         plot.lines(folder / f"scaling_{part.name}.svg", f"Time of a frame over {part.axis}", part.axis, "ms a frame",
-                   curves, log_x=not part.small_x, log_y=not part.small_x, ticks=ticks)
+                   curves, log_x=not part.small_x, ticks=ticks)
         if part.per_x:
             plot.lines(folder / f"scaling_{part.name}_each.svg", f"Time of a frame over {part.axis}, {part.per_x}",
                        part.axis, part.per_x,
                        {curve: [(x, 1e6 * y / x) for x, y in points] for curve, points in curves.items()})
     for growth in grown:
         top = max(x for x, _ in growth.points)
-        line = [(x, growth.megabytes_at_0 + growth.bytes_each / 2**20 * x) for x in (0, top)]
+        line = [(x / 1e6, growth.megabytes_at_0 + growth.bytes_each / 2**20 * x) for x in (0, top)]
+        fit = f"{growth.megabytes_at_0:.0f} MB + {growth.bytes_each:.0f} bytes each"
         plot.lines(folder / f"memory_{growth.name}.svg", f"Peak memory over {growth.axis}", f"million {growth.axis}", "MB",
-                   {"morphcl render": [(x / 1e6, y) for x, y in growth.points],
-                    f"{growth.megabytes_at_0:.0f} MB + {growth.bytes_each:.0f} bytes each":
-                        [(x / 1e6, y) for x, y in line]}, log_x=False, log_y=False)
+                   {"morphcl render": [(x / 1e6, y) for x, y in growth.points], fit: line}, log_x=False, log_y=False,
+                   fits=[fit])
 
 
 def memory_table(grown):

@@ -1,0 +1,94 @@
+"""The part stages: where the processor time of a frame goes, kernel by kernel, seen by perf.
+
+PoCL compiles each kernel into a shared library of its name, so samples a library are samples a kernel.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+from lib import processes, tables
+
+PACKAGES = "linux-perf"
+WARM_UP_FRAMES = 3  # of morphcl_bench_draw
+SAMPLES_A_SECOND = 4000
+FRAMES = {"morph": 1000, "heavy": 100, "overdraw_btf": 200, "overdraw_ftb": 200, "many": 100, "wire": 1000}
+COLUMNS = ["round", "scene", "stage", "cpu_ms", "share"]
+# Kernels in the order of a frame; others follow by name.
+ORDER = ["plan", "project_vertices", "light_faces", "clip_primitives", "bin_primitives", "shade_tiles"]
+REST = "rest: launches, waiting, page faults"
+
+
+def available():
+    """Whether perf is there and may sample."""
+    if shutil.which("perf") is None:
+        return False
+    with tempfile.TemporaryDirectory() as folder:
+        return subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-o", f"{folder}/data", "true"],
+                              capture_output=True).returncode == 0
+
+
+def library_milliseconds(data):
+    """Shared library -> milliseconds of processor time, all threads together."""
+    text = processes.output(["perf", "report", "-i", data, "--stdio", "--sort", "dso", "--show-total-period"])
+    found = re.findall(r"^\s+[\d.]+%\s+(\d+)\s+(\S+)", text, re.MULTILINE)
+    return {name: int(period) / 1e6 for period, name in found}
+
+
+def measure(programs, scene, folder, options):
+    """Stage -> milliseconds of processor time a frame."""
+    data = folder / "perf.data"
+    frames = FRAMES[scene] // (10 if options.quick else 1)
+    report = processes.report(["perf", "record", "-q", "-e", "cpu-clock", "-F", SAMPLES_A_SECOND, "-o", data,
+                               programs["draw"], scene, "--frames", frames, "--threads", options.threads])
+    kernels = {name.removesuffix(".so"): milliseconds / (frames + WARM_UP_FRAMES)
+               for name, milliseconds in library_milliseconds(data).items()
+               if name.endswith(".so") and not name.startswith(("lib", "self_test"))}
+    stages = {"plan": report["plan_ms"], **kernels}
+    return {**stages, REST: max(0.0, report["cpu_ms"] - sum(stages.values()))}
+
+
+def in_order(stages):
+    return sorted(stages, key=lambda name: (name == REST, ORDER.index(name) if name in ORDER else len(ORDER), name))
+
+
+def table(rows, scenes):
+    names = in_order({row["stage"] for row in rows})
+    lines = []
+    for scene in scenes:
+        times = {name: statistics.median(values) for name in names
+                 if (values := [row["cpu_ms"] for row in rows if (row["scene"], row["stage"]) == (scene, name)])}
+        whole = sum(times.values())
+        lines.append([scene, f"{whole:.2f}", *(f"{times[name]:.2f} ({100 * times[name] / whole:.0f} %)"
+                                               if name in times else "" for name in names)])
+    return tables.table(["scene", "all, ms", *names], lines)
+
+
+def run(programs, options):
+    if not available():
+        print(f"left out: perf is missing or may not sample (Debian package {PACKAGES}, kernel.perf_event_paranoid)",
+              file=sys.stderr)
+        return
+    load = os.getloadavg()[0]
+    rounds = options.rounds or (1 if options.quick else 3)
+    rows = []
+    with tempfile.TemporaryDirectory(prefix="morphcl-bench-") as folder:
+        for number in range(1, rounds + 1):
+            for scene in options.scenes:
+                stages = measure(programs, scene, pathlib.Path(folder), options)
+                whole = sum(stages.values())
+                rows += [{"round": number, "scene": scene, "stage": name, "cpu_ms": milliseconds,
+                          "share": milliseconds / whole} for name, milliseconds in stages.items()]
+            print(f"round {number}/{rounds}", file=sys.stderr)
+    tables.write_csv(options.results / "stages.csv", rows, COLUMNS)
+    tables.write_page(options.results / "stages.md", "Where the time of a frame goes",
+                      "Milliseconds of processor time a frame, all threads together, and the share; written by "
+                      "`bench/run stages`. What is measured and how to read it: [README](../README.md).",
+                      table(rows, options.scenes),
+                      [f"- {options.threads} threads; medians of {rounds} rounds; {SAMPLES_A_SECOND} samples a second",
+                       "- plan: by the clock, on the host; the others: kernels, by samples in their libraries"], load)

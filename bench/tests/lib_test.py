@@ -1,0 +1,123 @@
+"""Tests of what bench/run computes from the figures: python3 -m unittest discover bench/tests -p '*_test.py'"""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from lib import growth_checks, kernels, machine, memory, pictures, plot, processes, scaling, series, stages, tables  # noqa: E402
+
+
+def picture(**changes):
+    return {"width": 1920, "height": 1080, "covered": 435_000, "mean_red": 0.115, **changes}
+
+
+class Pictures(unittest.TestCase):
+    def test_programs_may_differ_by_what_rounding_explains(self):
+        pictures.check_same("morph", {"a": picture(), "b": picture(covered=435_207, mean_red=0.1159)})
+
+    def test_another_silhouette_stops(self):
+        with self.assertRaisesRegex(SystemExit, "a and b draw different pictures: covered"):
+            pictures.check_same("morph", {"a": picture(), "b": picture(covered=435_208)})
+
+    def test_another_colour_stops(self):
+        with self.assertRaisesRegex(SystemExit, "a and c draw different pictures: mean_red"):
+            pictures.check_same("morph", {"a": picture(), "b": picture(), "c": picture(mean_red=0.1162)})
+
+
+class Processes(unittest.TestCase):
+    def test_each_file_has_its_time_and_the_report_is_apart(self):
+        # A line is one write, as the compared programs do it: processes share the pipe.
+        program = "import os, time\nfor i in range(2):\n os.write(1, b'{\"frame\": 1, \"path\": \"p\"}\\n'); " \
+                  "time.sleep(0.05)\nos.write(1, b'{\"done\": 1}\\n')"
+        watched = processes.watch([[sys.executable, "-c", program]] * 2)
+        self.assertEqual([path for _, path in watched.frames], ["p"] * 4)
+        times = [time for time, _ in watched.frames]
+        self.assertEqual(times, sorted(times))
+        self.assertGreaterEqual(watched.seconds, times[-1] + 0.05)
+        self.assertEqual(watched.reports, [{"done": 1}, {"done": 1}])
+        self.assertGreater(watched.peak_megabytes, 2)
+
+    def test_what_a_failing_program_says_ends_the_run(self):
+        with self.assertRaisesRegex(SystemExit, "went wrong"):
+            processes.watch([[sys.executable, "-c", "import sys; sys.exit('went wrong')"]])
+
+    def test_no_device_is_no_report(self):
+        self.assertIsNone(processes.report([sys.executable, "-c", "import sys; sys.exit(69)"]))
+
+
+class Growth(unittest.TestCase):
+    def test_spread_is_of_the_points_in_the_range_less_the_base(self):
+        points = [(10, 100), (100, 300), (1000, 1200)]
+        self.assertAlmostEqual(growth_checks.spread_each(points, 50, 2000), 3 / 1.2)
+        self.assertAlmostEqual(growth_checks.spread_each(points, 50, 2000, 100), 2 / 1.1)
+        self.assertIsNone(growth_checks.spread_each(points, 500, 2000))
+
+    def test_line_through_memory(self):
+        growth = memory.Growth("n", "n", [(0, 50), (2**20, 150), (2 * 2**20, 250)])
+        self.assertAlmostEqual(growth.megabytes_at_0, 50)
+        self.assertAlmostEqual(growth.bytes_each, 100)
+        self.assertAlmostEqual(growth.largest_deviation, 0)
+        bent = memory.Growth("n", "n", [(0, 50), (1, 50), (2, 110)])
+        self.assertAlmostEqual(bent.largest_deviation, 0.4)
+
+    def test_a_limit_that_is_passed_is_said_to_fail(self):
+        curves = {"triangles": {"morphcl": [(1e4, 1), (1e5, 2), (1e7, 300)]},
+                  "pixels": {growth_checks.ALL_COVERED: [(1920 * 1080, 1), (7680 * 4320, 16)],
+                             growth_checks.FIFTH_COVERED: [(1920 * 1080, 1)]},
+                  "objects": {growth_checks.ALL_OBJECTS: [(100_000, 7)], growth_checks.VISIBLE_OBJECTS: [(100_000, 2)]},
+                  "targets": {"morphcl": [(5, 10), (256, 11)]}}
+        found = {statement: value for statement, _, value in growth_checks.checks(curves, [])}
+        self.assertAlmostEqual(found["time a pixel, 1080p to 8K, all covered: largest / smallest"], 1)
+        self.assertIsNone(found["time a pixel, 1080p to 8K, a fifth covered: largest / smallest"])
+        self.assertAlmostEqual(found["100,000 objects against only those in view: times the time"], 3.5)
+        self.assertAlmostEqual(found["256 targets with 5 active against 5 targets: times the time"], 1.1)
+        lines = growth_checks.table(curves, [])
+        self.assertTrue(any("3.50 | **no**" in line for line in lines))
+        self.assertTrue(any("1.10 | yes" in line for line in lines))
+
+    def test_medians_of_the_rounds(self):
+        rows = [{"series": "s", "curve": "c", "x": x, "frame_ms": ms} for x, ms in ((2, 9), (1, 1), (1, 5), (1, 3))]
+        self.assertEqual(scaling.curves_of(rows, "s"), {"c": [(1, 3), (2, 9)]})
+
+    def test_pictures_of_a_step_are_compared_between_all_curves(self):
+        base = {"series": "objects", "x": 1, "frames": 2}
+        rows = [{**base, "scene": "crowd", "curve": "a", **picture()},
+                {**base, "scene": "crowd_in_view", "curve": "b", **picture(covered=1)}]
+        with self.assertRaisesRegex(SystemExit, "different pictures"):
+            scaling.check_pictures(rows)
+
+
+class Figures(unittest.TestCase):
+    def test_google_benchmark(self):
+        entries = [{"run_name": "copy/8", "aggregate_name": name, "real_time": time, "time_unit": "us",
+                    "bytes_per_second": 3e9} for name, time in (("mean", 9.0), ("median", 2.0), ("cv", 0.05))]
+        row, = kernels.rows_of("p", {"benchmarks": entries})
+        self.assertEqual((row["median_ns"], row["deviation_percent"], row["gigabytes_per_second"]), (2000.0, 5.0, 3.0))
+
+    def test_stages_stand_in_the_order_of_a_frame(self):
+        self.assertEqual(stages.in_order({stages.REST, "zzz", "shade_tiles", "plan"}),
+                         ["plan", "shade_tiles", "zzz", stages.REST])
+
+    def test_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "page.md"
+            tables.write_page(path, "Title", "Intro.", tables.table(["a", "b"], [[1, 2]]), ["- foot"], 0.5)
+            text = path.read_text()
+        self.assertIn("| a | b |\n|---|---|\n| 1 | 2 |\n\n- foot\n", text)
+        self.assertIn(machine.processor_name(), text)
+
+    @unittest.skipUnless(plot.available(), "no gnuplot")
+    def test_plot(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "plot.svg"
+            plot.lines(path, "What's up", "x", "y", {"morphcl, it's": [(1, 2), (10, 20)]})
+            text = path.read_text()
+        self.assertIn("What's up", text)
+        self.assertIn("morphcl, it's", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
