@@ -16,6 +16,10 @@ set(MORPHCL_PACKAGE_nlohmann_json::nlohmann_json "private")
 set(MORPHCL_PACKAGE_tomlplusplus::tomlplusplus "find_dependency(tomlplusplus)")
 set(MORPHCL_PACKAGE_PkgConfig::xxhash
     "find_dependency(PkgConfig)\npkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)")
+foreach(library IN ITEMS libdeflate libisal)
+  set(MORPHCL_PACKAGE_PkgConfig::${library}
+      "find_dependency(PkgConfig)\npkg_check_modules(${library} REQUIRED IMPORTED_TARGET ${library})")
+endforeach()
 
 # What the parts together link outside the library, and the lines that find it.
 get_property(parts GLOBAL PROPERTY morphcl_parts)
@@ -68,7 +72,8 @@ install(TARGETS morphcl EXPORT morphclTargets ARCHIVE DESTINATION ${CMAKE_INSTAL
 install(EXPORT morphclTargets NAMESPACE morphcl:: DESTINATION ${package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/anim DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl
         FILES_MATCHING PATTERN "*.hpp")
-install(FILES ${PROJECT_SOURCE_DIR}/kernels/layout.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/kernels)
+install(FILES ${PROJECT_SOURCE_DIR}/kernels/layout.h ${PROJECT_SOURCE_DIR}/kernels/transform_kind.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/kernels)
 install(FILES ${PROJECT_SOURCE_DIR}/host/morphcl.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl)
 install(FILES ${PROJECT_BINARY_DIR}/generated/host/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/host)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos/ DESTINATION ${CMAKE_INSTALL_DATADIR}/morphcl/demos

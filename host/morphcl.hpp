@@ -7,6 +7,9 @@
 
 #include "anim/timeline.hpp"
 #include "anim/track.hpp"
+#include "host/batch/transform_buffers.hpp"
+#include "host/batch/transform_reference.hpp"
+#include "host/batch/transform_vertices.hpp"
 #include "host/device/session.hpp"
 #include "host/error.hpp"
 #include "host/geometry/mesh.hpp"

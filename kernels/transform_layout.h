@@ -7,6 +7,7 @@
 #ifndef MORPHCL_TRANSFORM_LAYOUT_H
 #define MORPHCL_TRANSFORM_LAYOUT_H
 
+#include "layout.h"
 #include "vector.h"
 
 typedef struct {

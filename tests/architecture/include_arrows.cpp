@@ -139,6 +139,7 @@ const Arrows& allowed_arrows() {
       {"host/image", {"host/math"}},
       {"host/scene", {"anim", "host/geometry", "host/math"}},
       {"host/device", {"kernels"}},
+      {"host/batch", {"host/device", "host/math", "kernels"}},
       {"host/render", {"host/device", "host/scene", "host/geometry", "host/math", "host/image", "anim", "kernels"}},
       {"host/job", {"host/render", "host/scene", "host/image", "anim"}},
   };

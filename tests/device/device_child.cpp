@@ -1,8 +1,9 @@
 // device_child: what a process of its own finds out about its device, as lines "name value".
 //
 //   device_child info [DEVICE [THREADS]]     threads, compute_units, name, verdict
-//   device_child transform COUNT...          hash of all batch transforms of COUNT points each; fills the cache
-//   device_child points COUNT...             the same of transform_points alone
+//   device_child transform COUNT...          hash of all batch transforms of COUNT vertices each; fills the cache
+//   device_child arrays COUNT...             the same of floats in separate arrays alone
+//   device_child points COUNT...             the same of points in one layout alone
 //   device_child stray_write                 a kernel that writes outside its buffer, for checkers that should see it
 // An Error is printed as "error MESSAGE" and its exit code is the process's.
 #include <fmt/format.h>
@@ -14,8 +15,8 @@
 
 #include "host/device/launch.hpp"
 #include "host/device/session.hpp"
-#include "host/device/transform_points.hpp"
 #include "host/error.hpp"
+#include "tests/batch/device_run.hpp"
 
 namespace {
 
@@ -30,48 +31,66 @@ void print_info(const std::string& device, int threads) {
              session->verdict() == Verdict::identical ? "identical" : session->verdict_detail());
 }
 
-struct Arrays {
-  std::vector<float> x, y, z;
+template <class Real>
+class TransformHash {
+ public:
+  explicit TransformHash(Session& session) : session_(session) {}
 
-  explicit Arrays(std::size_t count) : x(count), y(count), z(count) {}
-  PointArrays arrays() { return {x, y, z}; }
+  // One kind of transform with every choice of matrices that it allows.
+  void add(const Transform<Real>& single, const Transform<Real>& palette, std::span<const VertexLayout> layouts,
+           std::size_t count) {
+    const auto indices = testing::make_indices(count, palette.matrix_count());
+    for (const VertexLayout layout : layouts) {
+      const auto in = testing::make_batch<Real>(layout, count, testing::Family::benign, count);
+      add(testing::run_on_device(session_, single, in));
+      add(testing::run_on_device(session_, palette, in, indices));
+      if (palette.kind() == TransformKind::normals) continue;
+      add(testing::run_on_device(session_, palette, in, testing::make_blend<Real>(count, palette.matrix_count())));
+    }
+  }
+
+  void add_all_kinds(std::span<const VertexLayout> layouts, std::size_t count) {
+    const auto matrix = testing::general_matrix<Real>();
+    const auto matrices = testing::make_palette<Real>(5);
+    const std::span<const AffineRows<Real>> palette(matrices);
+    const auto projections = testing::make_projective_palette<Real>(5);
+    add(Transform<Real>::points(matrix), Transform<Real>::points(palette), layouts, count);
+    add(Transform<Real>::vectors(matrix), Transform<Real>::vectors(palette), layouts, count);
+    add(Transform<Real>::normals(matrix), Transform<Real>::normals(palette), layouts, count);
+    add(Transform<Real>::project(testing::perspective_matrix<Real>()),
+        Transform<Real>::project(std::span<const ProjectiveRows<Real>>(projections)), layouts, count);
+  }
+
+  void add(const testing::Batch<Real>& results) {
+    for (const auto& values : results.arrays)
+      hash_ = XXH3_64bits_withSeed(values.data(), values.size() * sizeof(Real), hash_);
+  }
+
+  XXH64_hash_t value() const { return hash_; }
+
+ private:
+  Session& session_;
+  XXH64_hash_t hash_ = 0;
 };
 
-// Coordinates from -1 to 1 that use all bits of a float.
-Arrays input(std::size_t count) {
-  Arrays points(count);
-  unsigned state = 1;
-  const auto next = [&] {
-    state = state * 1664525u + 1013904223u;
-    return static_cast<float>(state >> 8) * 0x1p-23f - 1.0f;
-  };
-  for (std::size_t i = 0; i < count; ++i) points.x[i] = next(), points.y[i] = next(), points.z[i] = next();
-  return points;
-}
+enum class Extent { all, arrays, points };
 
-void print_transform_hash(const std::vector<std::size_t>& counts, bool only_points) {
+void print_transform_hash(const std::vector<std::size_t>& counts, Extent extent) {
   const auto session = Session::open({});
-  const AffineRows rows{{-0.71f, 0.37f, 1.93f, 3.3f}, {0.11f, -2.9f, 0.83f, -7.1f}, {0.57f, 0.61f, 0.13f, 100.7f}};
-  const ProjectiveRows projection{rows.x, rows.y, rows.z, {0, 0, -1, 0.5f}};
-  XXH64_hash_t hash = 0;
+  TransformHash<float> floats(*session);
+  TransformHash<double> doubles(*session);
+  const std::span<const VertexLayout> layouts(testing::all_layouts);
   for (const std::size_t count : counts) {
-    Arrays in = input(count), out(count);
-    const auto add = [&] {
-      for (const auto* values : {&out.x, &out.y, &out.z})
-        hash = XXH3_64bits_withSeed(values->data(), count * sizeof(float), hash);
-    };
-    transform_points(*session, rows, in.arrays(), out.arrays());
-    add();
-    if (only_points) continue;
-    transform_vectors(*session, rows, in.arrays(), out.arrays());
-    add();
-    transform_normals(*session, rows, in.arrays(), out.arrays());
-    add();
-    project_points(*session, projection, in.arrays(), out.arrays());
-    add();
+    if (extent == Extent::points) {
+      const auto in = testing::make_batch<float>(VertexLayout::separate, count, testing::Family::benign, count);
+      floats.add(testing::run_on_device(*session, Transform<float>::points(testing::general_matrix<float>()), in));
+    } else {
+      floats.add_all_kinds(extent == Extent::all ? layouts : layouts.first(1), count);
+      if (extent == Extent::all) doubles.add_all_kinds(layouts, count);
+    }
   }
   session->store_programs();
-  fmt::print("hash {:016x}\n", hash);
+  fmt::print("hash {:016x}{:016x}\n", floats.value(), doubles.value());
 }
 
 void write_outside() {
@@ -93,10 +112,12 @@ int main(int count, char** values) {
     if (arguments.empty()) return 2;
     if (arguments[0] == "info") {
       print_info(arguments.size() > 1 ? arguments[1] : "", arguments.size() > 2 ? std::stoi(arguments[2]) : 0);
-    } else if (arguments[0] == "transform" || arguments[0] == "points") {
+    } else if (arguments[0] == "transform" || arguments[0] == "arrays" || arguments[0] == "points") {
       std::vector<std::size_t> counts;
       for (std::size_t i = 1; i < arguments.size(); ++i) counts.push_back(std::stoul(arguments[i]));
-      print_transform_hash(counts, arguments[0] == "points");
+      print_transform_hash(counts, arguments[0] == "transform" ? Extent::all
+                                   : arguments[0] == "arrays"  ? Extent::arrays
+                                                               : Extent::points);
     } else if (arguments[0] == "stray_write") {
       write_outside();
     } else {
