@@ -100,6 +100,7 @@ typedef struct {
   uint fragment_pages, entry_pages, large_capacity;  // of one chunk
   uint writes_color, writes_depth;
   uint clips;              // 0: the plan proved that nothing needs clipping
+  uint only_faces;         // every draw is flat and without vertex colours
   uint divides;            // 0: w is 1 everywhere
   uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written

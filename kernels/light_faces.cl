@@ -1,8 +1,9 @@
 #pragma OPENCL FP_CONTRACT OFF
-// light_faces: one irradiance for each triangle of flat draws, from its normal after morphing.
+// light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing.
 //
 // In:  attributes of flat draws (morphed positions in object space), indices, draws, blocks, lights.
-// Out: face_light[number] float4 {r, g, b, unused}: ambient plus what every light gives at the triangle's centre.
+// Out: face_color[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every light
+//      gives at the triangle's centre.
 // Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
 // double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
 // One work-item walks a chunk of blocks.
@@ -14,7 +15,7 @@
 kernel void light_faces(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
                         global const uint* restrict block_draw, global const uint* restrict indices,
                         global const LightConstants* restrict lights, global const int4* restrict attributes,
-                        global int4* restrict face_light) {
+                        global int4* restrict face_color) {
   const uint chunk = get_global_id(0);
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
@@ -57,6 +58,7 @@ kernel void light_faces(constant const FrameConstants* restrict frame, global co
       normal.z = select(normal.z, -normal.z, back);
     }
     const Irradiance light = irradiance(frame, lights, normal, centre);
-    store_records(as_int16(light.r), as_int16(light.g), as_int16(light.b), (int16)0, face_light + (size_t)block * LANES);
+    store_records(as_int16(light.r * draw->base_color[0]), as_int16(light.g * draw->base_color[1]),
+                  as_int16(light.b * draw->base_color[2]), (int16)0, face_color + (size_t)block * LANES);
   }
 }

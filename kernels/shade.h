@@ -13,7 +13,7 @@ typedef struct {
   global const uint* block_draw;
   global const uint* indices;
   global const LightConstants* lights;
-  global const int4 *vertices, *attributes, *colors, *face_light;
+  global const int4 *vertices, *attributes, *colors, *face_color;
   global const uint* clip_source;
   global const float4* clip_weights;
   uint clipped;  // slots in use
@@ -27,7 +27,7 @@ typedef struct {
 // What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
 typedef struct {
   global const DrawConstants* draw;
-  Irradiance color;       // base colour times face light
+  Irradiance color;       // base colour times the face's light
   int16 x[3], y[3];       // corners on the screen, sub-pixels
   float16 inverse_w[3];
   EyeVector normal[3];    // at the mesh's vertices; smooth draws
@@ -101,10 +101,9 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   surface->color.r = draw->base_color[0], surface->color.g = draw->base_color[1], surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
   if (draw->flags & DRAW_FLAT) {
-    uint number[LANES];
-    for (int lane = 0; lane < (same ? 1 : LANES); lane++) number[lane] = id.lane[lane] >> 3;
-    fetch(s->face_light, number, same, &f0, &f1, &f2, &unused);
-    surface->color.r *= as_float16(f0), surface->color.g *= as_float16(f1), surface->color.b *= as_float16(f2);
+    const Lanes number = lanes_of(id.all >> 3u);
+    fetch(s->face_color, number.lane, same, &f0, &f1, &f2, &unused);
+    surface->color.r = as_float16(f0), surface->color.g = as_float16(f1), surface->color.b = as_float16(f2);
   }
   if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return;
 
@@ -202,12 +201,22 @@ ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { re
 
 // Pixels that show several primitives (NO_ID: none). A primitive that many of the waiting pixels show is shaded for itself;
 // the others are gathered lane by lane, one draw after the other.
-#define MANY_LANES 4
+#define MANY_LANES 2
 ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   Irradiance result;
   result.r = result.g = result.b = 0.0f;
   const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
+  if (s->frame->only_faces) {
+    const uint first_id = id.lane[first_lane(waiting)];
+    const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> 3u);
+    int16 r, g, b, unused;
+    GATHER_RECORDS(s->face_color, number.lane, r, g, b, unused)
+    result.r = select(result.r, as_float16(r), waiting);
+    result.g = select(result.g, as_float16(g), waiting);
+    result.b = select(result.b, as_float16(b), waiting);
+    return result;
+  }
   while (any_lane(waiting)) {
     const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);

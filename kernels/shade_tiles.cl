@@ -1,7 +1,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 // shade_tiles: what is visible at each pixel, its colour and its distance.
 //
-// In:  the chunks' bins, vertices, attributes, colours, face light, clipped corners, draws, lights.
+// In:  the chunks' bins, vertices, attributes, colours, face colours, clipped corners, draws, lights.
 // Out: planes of half R, G, B, A (premultiplied) and float Z, rows of row_pitch elements;
 //      blank_blocks[tile]: bit b set when block b of the tile holds the background, for the next frame to leave as it is.
 // Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle that
@@ -97,7 +97,7 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
 // Depth of a large triangle in this tile is fma(depth_dx, column, fma(depth_dy, row, corner)), column and row counted from
-// the tile's first pixel: rounding is monotone, so a block's extremes lie at its corners.
+// the tile's first pixel: rounding is monotone, so the extremes in a rectangle lie at its corners.
 static inline float tile_depth(global const LargeTriangle* t, Tile tile) {
   return large_depth_at(*t, tile.x * SUBPIXELS + HALF_PIXEL, tile.y * SUBPIXELS + HALF_PIXEL);
 }
@@ -120,6 +120,20 @@ static inline void write_out_block(Tile tile, int column, int row, uint content,
     tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_row(t, corner, column, y);
     tile.id[y * ROW_VECTORS + column / LANES] = t->id;
   }
+}
+
+// The columns and rows of the tile in which the triangle may cover samples.
+typedef struct {
+  int first_column, last_column, first_row, last_row;
+} TileBox;
+
+static inline TileBox box_of(global const LargeTriangle* t, Tile tile) {
+  TileBox box;
+  box.first_column = FIRST_PIXEL(t->ax + min(0, min(t->d1x, t->d2x))) - tile.x;
+  box.last_column = LAST_PIXEL(t->ax + max(0, max(t->d1x, t->d2x))) - tile.x;
+  box.first_row = FIRST_PIXEL(t->ay + min(0, min(t->d1y, t->d2y))) - tile.y;
+  box.last_row = LAST_PIXEL(t->ay + max(0, max(t->d1y, t->d2y))) - tile.y;
+  return box;
 }
 
 // A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel and its change to the right and
@@ -147,15 +161,15 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
   }
 }
 
-// Puts the triangle's samples of one block into the tile's planes: those in front of what is held or, without a depth
-// test, all that it covers.
-static inline void draw_in_block(Tile tile, const TileEdges* edges, global const LargeTriangle* t, float corner, int column, int row,
-                                 bool tests_depth, float* least_depth, float* greatest_depth) {
+// Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is held
+// or, without a depth test, all that it covers. Returns the least and the greatest depth held there then.
+static inline float2 draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, float corner, int column, int first,
+                                  int last, bool tests_depth) {
   int16 value[3];
-  FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * row;
+  FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
   const uint id = t->id;
   float16 least_held = INFINITY, greatest_held = -INFINITY;
-  for (int y = row; y < row + TILE_BLOCK; y++) {
+  for (int y = first; y <= last; y++) {
     const int at = y * ROW_VECTORS + column / LANES;
     const float16 depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
     const uint16 held_id = tile.id[at];
@@ -167,19 +181,22 @@ static inline void draw_in_block(Tile tile, const TileEdges* edges, global const
     least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
-  *least_depth = least(least_held), *greatest_depth = greatest(greatest_held);
+  return (float2)(least(least_held), greatest(greatest_held));
 }
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
-                                  global const LargeTriangle* t, float corner, float far_depth, bool tests_depth) {
+                                  global const LargeTriangle* t, TileBox box, float corner, float far_depth, bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
     const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
     if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, far_depth);
-    float least_depth, greatest_depth;
-    draw_in_block(tile, edges, t, corner, column, row, tests_depth, &least_depth, &greatest_depth);
-    blocks->least = select(blocks->least, (float16)(least_depth), LANE == block);
-    blocks->greatest = select(blocks->greatest, (float16)(greatest_depth), LANE == block);
+    const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
+    if (first > last) continue;
+    const float2 depths = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
+    // Rows that were left out may hold less than these.
+    const float least_depth = last - first == TILE_BLOCK - 1 ? depths.x : -INFINITY;
+    blocks->least = max(blocks->least, select((float16)(-INFINITY), (float16)(least_depth), LANE == block));
+    blocks->greatest = max(blocks->greatest, select((float16)(-INFINITY), (float16)(depths.y), LANE == block));
   }
   blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
@@ -188,12 +205,16 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   const uint number = entry & ~ENTIRE_TILE;
   global const LargeTriangle* t = &large[number];
   const float corner = tile_depth(t, tile), depth_dx = t->depth_dx, depth_dy = t->depth_dy;
-  const int left = depth_dx < 0.0f ? TILE_BLOCK - 1 : 0, top = depth_dy < 0.0f ? TILE_BLOCK - 1 : 0;
-  const float16 least_depth = fma((float16)(depth_dx), convert_float16(BLOCK_X + left),
-                                  fma((float16)(depth_dy), convert_float16(BLOCK_Y + top), (float16)(corner)));
-  const float16 greatest_depth = fma((float16)(depth_dx), convert_float16(BLOCK_X + (TILE_BLOCK - 1 - left)),
-                                     fma((float16)(depth_dy), convert_float16(BLOCK_Y + (TILE_BLOCK - 1 - top)), (float16)(corner)));
-  int16 misses = greatest_depth < blocks->least, covers = -1;
+  // The part of each block that lies in the triangle's box, and the depths at its corners.
+  const TileBox box = box_of(t, tile);
+  const int16 left = max(BLOCK_X, (int16)(box.first_column)), right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
+  const int16 top = max(BLOCK_Y, (int16)(box.first_row)), bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
+  const int16 falls_x = depth_dx < 0.0f ? (int16)(-1) : (int16)(0), falls_y = depth_dy < 0.0f ? (int16)(-1) : (int16)(0);
+  const float16 farthest_x = convert_float16(select(left, right, falls_x)), nearest_x = convert_float16(select(right, left, falls_x));
+  const float16 farthest_y = convert_float16(select(top, bottom, falls_y)), nearest_y = convert_float16(select(bottom, top, falls_y));
+  const float16 least_depth = fma((float16)(depth_dx), farthest_x, fma((float16)(depth_dy), farthest_y, (float16)(corner)));
+  const float16 greatest_depth = fma((float16)(depth_dx), nearest_x, fma((float16)(depth_dy), nearest_y, (float16)(corner)));
+  int16 misses = (left > right) | (top > bottom) | (greatest_depth < blocks->least), covers = -1;
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
@@ -205,7 +226,7 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   blocks->least = select(blocks->least, least_depth, replaces);
   blocks->greatest = select(blocks->greatest, greatest_depth, replaces);
   const int16 partly = ~misses & ~replaces;
-  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, corner, far_depth, true);
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, far_depth, true);
 }
 
 static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
@@ -220,7 +241,7 @@ static inline void place_large_triangle(Tile tile, Blocks* blocks, global const 
   find_covered_blocks(t, tile, &edges, &misses, &covers);
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(covers));
   const int16 partly = ~misses & ~covers;
-  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, tile_depth(t, tile), far_depth, false);
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), tile_depth(t, tile), far_depth, false);
 }
 
 // ---- pixels ---------------------------------------------------------------------------------------------------------
@@ -260,11 +281,11 @@ ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global half* out) {
   STORE_PAST_CACHE((ulong8)(as_ulong4(left), as_ulong4(right)), (global ulong8*)out);
 }
 
-ALWAYS_INLINE void store_colors(const RowColor* pair, Picture picture, size_t at) {
-  store_line(pair[0].red, pair[1].red, picture.red + at);
-  store_line(pair[0].green, pair[1].green, picture.green + at);
-  store_line(pair[0].blue, pair[1].blue, picture.blue + at);
-  store_line(pair[0].alpha, pair[1].alpha, picture.alpha + at);
+ALWAYS_INLINE void store_colors(RowColor left, RowColor right, Picture picture, size_t at) {
+  store_line(left.red, right.red, picture.red + at);
+  store_line(left.green, right.green, picture.green + at);
+  store_line(left.blue, right.blue, picture.blue + at);
+  store_line(left.alpha, right.alpha, picture.alpha + at);
 }
 
 // Sixteen columns of the rows of blocks that are shaded together. The surface is kept while its id stays.
@@ -325,7 +346,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
                         global const uint* restrict block_draw, global const uint* restrict indices,
                         global const LightConstants* restrict lights, global const int4* restrict vertices,
                         global const int4* restrict attributes, global const int4* restrict colors,
-                        global const int4* restrict face_light, global const uint* restrict clip_source,
+                        global const int4* restrict face_color, global const uint* restrict clip_source,
                         global const float4* restrict clip_weights, global const ChunkStatus* restrict status,
                         global const uint* restrict fragment_heads, global const uint* restrict fragment_next,
                         global const ulong* restrict fragment_keys, global const ushort* restrict fragment_places,
@@ -388,7 +409,7 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
 
   Shader shader;
   shader.frame = frame, shader.draws = draws, shader.block_draw = block_draw, shader.indices = indices, shader.lights = lights;
-  shader.vertices = vertices, shader.attributes = attributes, shader.colors = colors, shader.face_light = face_light;
+  shader.vertices = vertices, shader.attributes = attributes, shader.colors = colors, shader.face_color = face_color;
   shader.clip_source = clip_source, shader.clip_weights = clip_weights;
   shader.clipped = 0;
   if (frame->clips)
@@ -397,18 +418,19 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
   Column columns[TILE / TILE_BLOCK];
   for (int i = 0; i < TILE / TILE_BLOCK; i++) columns[i].surface_id = NO_ID;
 
+  RowColor left;
+  left.red = left.green = left.blue = left.alpha = 0;
   const int rows = min(TILE, frame->height - tile.y);
   for (int first_row = 0; first_row < rows; first_row += TILE_BLOCK) {
     const int first_block = first_row / TILE_BLOCK * (TILE / TILE_BLOCK);
     for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content.lane[first_block + i], large);
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
-      for (int pair = 0; pair < TILE / TILE_BLOCK; pair += 2) {
-        if (left_as_it_is >> (first_block + pair) & 1u) continue;
-        RowColor colors_of[2];
-        for (int i = 0; i < 2; i++)
-          colors_of[i] = shade_row_of_block(&shader, &columns[pair + i], tile, (pair + i) * TILE_BLOCK, row, picture);
-        if (frame->writes_color)
-          store_colors(colors_of, picture, (size_t)(tile.y + row) * frame->row_pitch + tile.x + pair * TILE_BLOCK);
+      for (int i = 0; i < TILE / TILE_BLOCK; i++) {
+        if (left_as_it_is >> (first_block + (i & ~1)) & 1u) continue;
+        const RowColor color = shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, picture);
+        if (i & 1 && frame->writes_color)
+          store_colors(left, color, picture, (size_t)(tile.y + row) * frame->row_pitch + tile.x + (i - 1) * TILE_BLOCK);
+        left = color;
       }
   }
 }

@@ -144,7 +144,7 @@ class DeviceRenderer : public Renderer {
     ensure_kept(attributes_,
                 tables_.any_smooth || tables_.any_flat ? std::size_t{constants.first_clip_vertex} * 16 : 16);
     ensure_kept(colors_, tables_.any_colors ? std::size_t{constants.first_clip_vertex} * 16 : 16);
-    ensure_kept(face_light_, tables_.any_flat ? std::size_t{constants.block_count} * layout::lanes * 16 : 16);
+    ensure_kept(face_color_, tables_.any_flat ? std::size_t{constants.block_count} * layout::lanes * 16 : 16);
     ensure_kept(vertex_status_, std::max(vertex_chunks(constants), 1u) * sizeof(uint));
     clip_source_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
     clip_count_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
@@ -176,7 +176,7 @@ class DeviceRenderer : public Renderer {
     if (faces_changed)
       launch(queue(), kernel("light_faces", "light_faces"), cl::NDRange(constants.chunk_count), one, frame_.buffer(),
              draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), attributes_.buffer(),
-             face_light_.buffer());
+             face_color_.buffer());
     kept_.remember(tables_);
   }
 
@@ -200,7 +200,7 @@ class DeviceRenderer : public Renderer {
     launch(queue(), kernel("shade_tiles", "shade_tiles"),
            cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), one, frame_.buffer(),
            draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
-           attributes_.buffer(), colors_.buffer(), face_light_.buffer(), clip_source_.buffer(), clip_weights_.buffer(),
+           attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(), clip_weights_.buffer(),
            status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(),
            fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(),
            large_.buffer(), overflow_.buffer(), planes.color[0], planes.color[1], planes.color[2], planes.color[3],
@@ -242,7 +242,7 @@ class DeviceRenderer : public Renderer {
   DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
       position_draw_{session_->context()}, changed_chunks_{session_->context()};
   std::vector<std::array<uint, 3>> uploaded_places_;  // of each draw, as the three tables have them
-  SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_light_ = buffer(),
+  SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_color_ = buffer(),
                vertex_status_ = buffer();
   SharedBuffer clip_source_ = buffer(), clip_count_ = buffer(), clip_weights_ = buffer();
   SharedBuffer fragment_heads_ = buffer(), fragment_next_ = buffer(), fragment_keys_ = buffer(),

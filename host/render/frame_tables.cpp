@@ -144,6 +144,9 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size
   order_by_distance(plan, meshes, tables.draws);
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, row_pitch);
+  tables.frame.only_faces = std::all_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) {
+    return draw.shading == Shading::flat && !draw.vertex_colors;
+  });
   if (!tables.draws.empty()) {
     const layout::DrawConstants& last = tables.draws.back();
     tables.frame.group_count = last.first_group + last.group_count;
