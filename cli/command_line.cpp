@@ -64,6 +64,16 @@ void add_threads_option(CLI::App& command, int& threads) {
       ->group("Device");
 }
 
+void add_plan_option(CLI::App& command, bool& leave_out) {
+  command
+      .add_option_function<std::string>(
+          "--plan", [&leave_out](const std::string& plan) { leave_out = plan == "auto"; },
+          "auto: leave out what the picture does not need (default); none: leave out nothing, for the same pixels")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->type_name("auto|none")
+      ->group("Plan");
+}
+
 void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR files");
   add_scene_options(command, options.scene);
@@ -94,6 +104,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
       ->type_name("NAME|INDEX")
       ->group("Device");
   add_threads_option(command, options.device.threads);
+  add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
   command.add_flag("--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
   command.callback([&] { action = [&] { return render_command(options); }; });
@@ -105,6 +116,7 @@ void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
   command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
       ->type_name("N")
       ->group("Time");
+  add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
   command.callback([&] { action = [&] { return plan_command(options); }; });
 }

@@ -15,7 +15,8 @@ namespace morphcl::cli {
 int plan_command(const PlanOptions& options) {
   const Scene scene = open_scene(options.scene);
   const std::int64_t frame = options.frame ? *options.frame : frame_numbers(scene.frames).front();
-  const PlanReport report = explain(Planner(scene), scene, {}, frame);
+  const morphcl::PlanOptions what{.leave_out = options.leave_out};
+  const PlanReport report = explain(Planner(scene, what), scene, what, frame);
   if (options.json) {
     for (const PlanNote& note : report.notes) {
       JsonLine line("plan");

@@ -26,6 +26,7 @@ int render_command(const RenderOptions& options) {
   job.resume = options.resume;
   job.verify = options.verify;
   job.fingerprint = fingerprint(scene);
+  job.plan.leave_out = options.leave_out;
   job.contact_sheet = options.contact_sheet;
   job.preview = options.preview;
   job.stop = &stop;

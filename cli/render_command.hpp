@@ -18,6 +18,7 @@ struct RenderOptions {
   bool preview = false;                // a PNG beside each frame
   bool resume = false;
   bool verify = false;
+  bool leave_out = true;  // false: nothing is left out of the frames' plans; the pixels are the same
   bool json = false;
   bool quiet = false;
 };

@@ -98,7 +98,7 @@ std::vector<std::int64_t> JobRun::keep_finished_frames() {
 void JobRun::render(const std::vector<std::int64_t>& frames) {
   if (frames.empty()) return;
   const ImageSettings& image = scene_.image;
-  const Planner planner(scene_);
+  const Planner planner(scene_, job_.plan);
   // Frames side by side keep all threads busy; a single one needs them all.
   const int exr_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(

@@ -9,6 +9,7 @@
 
 #include "host/job/fingerprint.hpp"
 #include "host/job/frame_pattern.hpp"
+#include "host/render/plan.hpp"
 #include "host/render/renderer.hpp"
 #include "host/scene/scene.hpp"
 
@@ -35,6 +36,7 @@ struct RenderJob {
   // at least).
   int frames_in_flight = 0;
   std::string fingerprint;                           // fingerprint(scene)
+  PlanOptions plan;                                  // what is left out of frames; their pixels are the same
   std::string contact_sheet;                         // a PNG of all frames, kept ones included; empty: none
   bool preview = false;                              // a PNG beside each frame, its name ending in .png instead of .exr
   std::function<void(const FrameResult&)> on_frame;  // called in order of completion, from one thread at a time

@@ -86,24 +86,41 @@ TEST(LeaveOut, EveryItemIsLeftOutSomewhere) {
       << objects << targets << normals << clipping << divide << depth_test;
 }
 
-// Coordinates that cancel in single precision: what is judged in binary64 as just outside may be drawn just inside.
+// Coordinates that cancel in single precision: what binary64 sees just outside may be drawn just inside.
 TEST(LeaveOut, ObjectsWhoseCoordinatesCancelAreJudgedWithTheirRounding) {
   const auto renderer = make_reference_renderer();
-  int drawn = 0;
-  for (int step = 0; step < 40; ++step) {
-    SceneBuilder b(64, 48);
+  constexpr double far_away = 4e6;
+  int drawn = 0, blank = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    const double fovy = 40 + 0.37 * trial, side = trial % 2 ? 1 : -1;
+    const double edge = 5 * std::tan(glm::radians(fovy / 2)) * 64 / 48;  // of the view, where z = 0
     Mesh mesh = make_cube();
-    for (glm::vec3& p : mesh.positions) p = 0.125f * p + glm::vec3(4e6f, 0, 0);
-    // The view's right edge is at x = 5 tan(22.5 degrees) 4/3 = 2.7614 where z = 0.
-    b.add(mesh, Shading::flat, place({-4e6 + 2.6 + 0.02 * step, 0, 0}));
-    b.look({0, 0, 5});
+    for (glm::vec3& p : mesh.positions) p += glm::vec3(far_away, 0, 0);
+    SceneBuilder b(64, 48);
+    // The view reaches to 1.2 of that at the cube's far side, z = -1.
+    b.add(mesh, Shading::flat, place({-far_away + side * (1.2 * edge + 1 + 0.01 * (trial % 31 - 15)), 0, 0}));
+    b.look({0, 0, 5}).project(Perspective{fovy, 0.1, 100});
     const Planner usual(b.scene()), nothing_left_out(b.scene(), {.leave_out = false});
     const FrameBuffer expected = draw(*renderer, nothing_left_out, 0), actual = draw(*renderer, usual, 0);
-    EXPECT_TRUE(same_pixels(expected, actual)) << "step " << step;
-    drawn += covered_pixels(expected) > 0;
+    EXPECT_TRUE(same_pixels(expected, actual)) << "trial " << trial;
+    (covered_pixels(expected) > 0 ? drawn : blank) += 1;
   }
-  EXPECT_GT(drawn, 0);
-  EXPECT_LT(drawn, 40);
+  EXPECT_GT(drawn, 10);
+  EXPECT_GT(blank, 10);
+}
+
+// The near plane's distance is rounded to fp32, up or down, and what lies on it is in front of it.
+TEST(LeaveOut, WhatLiesOnTheNearPlaneIsDrawn) {
+  const auto renderer = make_reference_renderer();
+  for (const double near : {0.1, 0.2, 0.3, 0.4, 0.7, 1.3}) {
+    SceneBuilder b(64, 48);
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    b.add(mesh, Shading::flat, place({0, 0, -near}));
+    b.look({0, 0, 0}, {0, 0, -1}).project(Perspective{45, near, 100});
+    EXPECT_GT(covered_pixels(draw(*renderer, Planner(b.scene()), 0)), 0u) << "near " << near;
+  }
 }
 
 // Beyond 1e33 a vertex counts as invalid and its triangles are not drawn: by every renderer, so it is never skipped.
