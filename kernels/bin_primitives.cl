@@ -2,7 +2,7 @@
 // bin_primitives: set up triangles and lines and sort them into tiles.
 //
 // In:  vertices, indices, draws, blocks, clipped primitives.
-// Out, one set a chunk: fragments {depth, id, position in the tile} of lines and of triangles over at most 4 x 4 pixel
+// Out, one set a chunk: fragments {depth, id, position in the tile} of lines and of triangles over at most 8 x 8 pixel
 //      centres, already rasterised; large triangles, set up, with an entry in every tile they may touch; both in pages.
 //      status[chunk]: how much room the chunk needed. What found no room raises *overflow and the frame is binned again.
 // Steps: 1 fetch 16 triangles, cull, classify; 2 rasterise the small ones, one lane a triangle; 3 set up the large ones;

@@ -14,7 +14,7 @@
 #define TILE 64               // pixels; also 64 x 64 = 4096 samples in a tile
 #define TILE_BLOCK 16         // pixels; a tile has 4 x 4 of them
 #define SUBPIXEL_BITS 8       // vertices are snapped to 1/256 pixel
-#define SMALL_PIXELS 4        // a triangle over at most 4 x 4 pixel centres is rasterised while it is binned
+#define SMALL_PIXELS 8        // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
 #define PAGE 64               // entries a page of the bins
 #define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
 #define CLIP_VERTICES 8       // a triangle clipped by five planes has at most 8 corners

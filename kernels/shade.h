@@ -199,9 +199,7 @@ ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, 
 
 ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->block_draw[id / (8 * LANES)]]; }
 
-// Pixels that show several primitives (NO_ID: none). A primitive that many of the waiting pixels show is shaded for itself;
-// the others are gathered lane by lane, one draw after the other.
-#define MANY_LANES 2
+// Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
 ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   Irradiance result;
   result.r = result.g = result.b = 0.0f;
@@ -220,15 +218,10 @@ ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   while (any_lane(waiting)) {
     const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);
-    int16 here = waiting & (ids == first_id);
+    const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
+    const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
-    if (count_lanes(here) >= MANY_LANES) {
-      gather_surface(s, draw, lanes_of(first_id), true, &surface);
-    } else {
-      const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
-      here = waiting & (ids >= low) & (ids <= high);
-      gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
-    }
+    gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
     const Irradiance color = surface_color(s, &surface, p);
     result.r = select(result.r, color.r, here);
     result.g = select(result.g, color.g, here);

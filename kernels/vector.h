@@ -38,11 +38,6 @@ static inline bool any_lane(int16 mask) {
   return (bytes.x | bytes.y) != 0;
 }
 
-static inline int count_lanes(int16 mask) {
-  const ulong2 bytes = mask_bytes(mask);
-  return (int)(popcount(bytes.x) + popcount(bytes.y)) / 8;
-}
-
 // The lowest set lane of eight, from their bytes, and the bytes without it.
 static inline int lowest_lane(ulong bytes) { return (63 - (int)clz(bytes & -bytes)) >> 3; }
 static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffUL << (lane * 8)); }
