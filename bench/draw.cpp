@@ -28,7 +28,12 @@ Subject make_subject(const Options& options) {
   if (options.scene == "rig") {
     const int frames = options.frames > 0 ? options.frames : 24;
     Scene scene = rig_scene(options.amount > 0 ? options.amount : 256, options.width, options.height, frames);
-    const SceneFigures figures{"rig", scene.image.width, scene.image.height, 1, scene.meshes[0].triangles.size()};
+    const SceneFigures figures{"rig",
+                               scene.image.width,
+                               scene.image.height,
+                               1,
+                               scene.meshes[0].positions.size(),
+                               scene.meshes[0].triangles.size()};
     return {std::move(scene), figures, frames};
   }
   BenchScene bench = make_bench_scene(options.scene, options.width, options.height, options.amount);

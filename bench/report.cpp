@@ -66,14 +66,22 @@ std::vector<std::pair<std::string, double>> FrameTimes::summary() const {
 
 SceneFigures scene_figures(const BenchScene& scene) {
   const std::size_t objects = scene.placements.size();
-  return {scene.name, scene.width, scene.height, objects, objects * scene.shape.triangles.size(), 0.0};
+  return {scene.name,
+          scene.width,
+          scene.height,
+          objects,
+          objects * scene.shape.positions[0].size(),
+          objects * scene.shape.triangles.size(),
+          0.0};
 }
 
 void print_report(const std::string& program, const std::string& renderer, const SceneFigures& scene, int threads,
                   const FrameTimes& times, const PictureFigures& picture) {
-  nlohmann::ordered_json line = {{"program", program},           {"renderer", renderer},   {"scene", scene.name},
-                                 {"width", scene.width},         {"height", scene.height}, {"objects", scene.objects},
-                                 {"triangles", scene.triangles}, {"threads", threads},     {"frames", times.frames()}};
+  nlohmann::ordered_json line = {{"program", program},         {"renderer", renderer},
+                                 {"scene", scene.name},        {"width", scene.width},
+                                 {"height", scene.height},     {"objects", scene.objects},
+                                 {"vertices", scene.vertices}, {"triangles", scene.triangles},
+                                 {"threads", threads},         {"frames", times.frames()}};
   for (const auto& [key, milliseconds] : times.summary()) line[key] = milliseconds;
   line["scene_ms"] = scene.scene_ms;
   line["covered"] = picture.covered;

@@ -60,8 +60,8 @@ class FrameTimes {
 struct SceneFigures {
   std::string name;
   int width, height;
-  std::size_t objects, triangles;  // triangles of all objects together
-  double scene_ms = 0;             // what making its arrays and fitting its camera took; 0: not measured
+  std::size_t objects, vertices, triangles;  // vertices and triangles of all objects together
+  double scene_ms = 0;                       // what making its arrays and fitting its camera took; 0: not measured
 };
 
 SceneFigures scene_figures(const BenchScene& scene);

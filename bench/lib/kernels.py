@@ -51,14 +51,15 @@ def table(rows):
 
 
 def run(programs, options):
-    if not programs.kernel_benches:
+    paths = programs_module.build_kernel_benches(programs.folder)
+    if not paths:
         print(f"left out: there are no programs in bench/kernels, or no {programs_module.KERNEL_PACKAGES}",
               file=sys.stderr)
         return
     load = os.getloadavg()[0]
     repetitions = options.rounds or (2 if options.quick else 5)
     rows, body = [], []
-    for path in programs.kernel_benches:
+    for path in paths:
         found = measure(path, repetitions, options.quick)
         rows += found
         body += [f"## {path.name}", "", *table(found), ""]

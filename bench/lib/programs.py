@@ -13,6 +13,7 @@ NEEDED = {
     "tool": ("morphcl_tool", "cli/morphcl"),
     "draw": ("morphcl_bench_draw", "bench/morphcl_bench_draw"),
     "shot": ("morphcl_bench_shot", "bench/morphcl_bench_shot"),
+    "bandwidth": ("morphcl_bench_bandwidth", "bench/morphcl_bench_bandwidth"),
     "picture": ("morphcl_bench_picture", "bench/morphcl_bench_picture"),
 }
 # Name -> cmake target, path in the build folder, Debian packages without which it is left out.
@@ -26,8 +27,8 @@ KERNEL_PACKAGES = "libbenchmark-dev"
 
 @dataclasses.dataclass
 class Programs:
+    folder: pathlib.Path  # of the build
     paths: dict  # of NEEDED and of those of PEERS that could be built: name -> path
-    kernel_benches: list  # paths
 
     def __getitem__(self, name):
         return self.paths[name]
@@ -45,18 +46,30 @@ class Programs:
                 f"{packages})." for name, (_, _, packages) in PEERS.items() if name not in self.paths]
 
 
+def known_targets(folder):
+    text = subprocess.run(["cmake", "--build", folder, "--target", "help"], check=True, capture_output=True,
+                          text=True).stdout
+    return set(re.findall(r"^(\S+):", text, re.MULTILINE))
+
+
+def build_targets(folder, targets):
+    subprocess.run(["cmake", "--build", folder, "--target", *targets], check=True, stdout=sys.stderr)
+
+
 def build(folder):
     """Configures and builds into `folder`. Raises CalledProcessError when what is needed cannot be built."""
     subprocess.run(["cmake", "-S", machine.ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DMORPHCL_BUILD_BENCH=ON"], check=True, stdout=subprocess.DEVNULL)
-    known = subprocess.run(["cmake", "--build", folder, "--target", "help"], check=True, capture_output=True,
-                           text=True).stdout
-    wanted = {name: (target, path) for name, (target, path) in NEEDED.items()}
-    wanted |= {name: (target, path) for name, (target, path, _) in PEERS.items() if f"{target}:" in known}
-    others = {target for target, _ in wanted.values()} | {"morphcl_bench_common"}
-    kernel_targets = sorted(set(re.findall(r"^(morphcl_bench_\w+):", known, re.MULTILINE)) - others)
-    targets = [target for target, _ in wanted.values()] + kernel_targets
-    subprocess.run(["cmake", "--build", folder, "--target", *targets], check=True, stdout=sys.stderr)
-    folder = pathlib.Path(folder)
-    return Programs({name: folder / path for name, (_, path) in wanted.items()},
-                    [folder / KERNEL_BENCHES / target for target in kernel_targets])
+    known = known_targets(folder)
+    wanted = {**NEEDED, **{name: (target, path) for name, (target, path, _) in PEERS.items() if target in known}}
+    build_targets(folder, [target for target, _ in wanted.values()])
+    return Programs(folder, {name: folder / path for name, (_, path) in wanted.items()})
+
+
+def build_kernel_benches(folder):
+    """Builds and returns the programs of bench/kernels, none where there is no Google Benchmark."""
+    targets = sorted(target.removeprefix(f"{KERNEL_BENCHES}/") for target in known_targets(folder)
+                     if target.startswith(f"{KERNEL_BENCHES}/morphcl_bench_") and "." not in target)
+    if targets:
+        build_targets(folder, targets)
+    return [folder / KERNEL_BENCHES / target for target in targets]

@@ -3,6 +3,7 @@
 PoCL compiles each kernel into a shared library of its name, so samples a library are samples a kernel.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -12,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from lib import processes, tables
+from lib import limits, processes, tables
 
 PACKAGES = "linux-perf"
 WARM_UP_FRAMES = 3  # of morphcl_bench_draw
@@ -41,7 +42,7 @@ def library_milliseconds(data):
 
 
 def measure(programs, scene, folder, options):
-    """Stage -> milliseconds of processor time a frame."""
+    """Stage -> milliseconds of processor time a frame, and the program's report."""
     data = folder / "perf.data"
     frames = FRAMES[scene] // (10 if options.quick else 1)
     report = processes.report(["perf", "record", "-q", "-e", "cpu-clock", "-F", SAMPLES_A_SECOND, "-o", data,
@@ -50,7 +51,7 @@ def measure(programs, scene, folder, options):
                for name, milliseconds in library_milliseconds(data).items()
                if name.endswith(".so") and not name.startswith(("lib", "self_test"))}
     stages = {"plan": report["plan_ms"], **kernels}
-    return {**stages, REST: max(0.0, report["cpu_ms"] - sum(stages.values()))}
+    return {**stages, REST: max(0.0, report["cpu_ms"] - sum(stages.values()))}, report
 
 
 def in_order(stages):
@@ -61,12 +62,20 @@ def table(rows, scenes):
     names = in_order({row["stage"] for row in rows})
     lines = []
     for scene in scenes:
-        times = {name: statistics.median(values) for name in names
-                 if (values := [row["cpu_ms"] for row in rows if (row["scene"], row["stage"]) == (scene, name)])}
+        times = medians(rows, scene)
         whole = sum(times.values())
         lines.append([scene, f"{whole:.2f}", *(f"{times[name]:.2f} ({100 * times[name] / whole:.0f} %)"
                                                if name in times else "" for name in names)])
     return tables.table(["scene", "all, ms", *names], lines)
+
+
+def medians(rows, scene):
+    """Stage -> milliseconds of processor time a frame."""
+    values = {}
+    for row in rows:
+        if row["scene"] == scene:
+            values.setdefault(row["stage"], []).append(row["cpu_ms"])
+    return {stage: statistics.median(times) for stage, times in values.items()}
 
 
 def run(programs, options):
@@ -76,19 +85,23 @@ def run(programs, options):
         return
     load = os.getloadavg()[0]
     rounds = options.rounds or (1 if options.quick else 3)
-    rows = []
+    bandwidth = json.loads(processes.output([programs["bandwidth"], options.threads]))
+    rows, reports = [], {}
     with tempfile.TemporaryDirectory(prefix="morphcl-bench-") as folder:
         for number in range(1, rounds + 1):
             for scene in options.scenes:
-                stages = measure(programs, scene, pathlib.Path(folder), options)
+                stages, reports[scene] = measure(programs, scene, pathlib.Path(folder), options)
                 whole = sum(stages.values())
                 rows += [{"round": number, "scene": scene, "stage": name, "cpu_ms": milliseconds,
                           "share": milliseconds / whole} for name, milliseconds in stages.items()]
             print(f"round {number}/{rounds}", file=sys.stderr)
     tables.write_csv(options.results / "stages.csv", rows, COLUMNS)
+    body = [*table(rows, options.scenes), "", "## Beside the memory's speed", "", limits.INTRODUCTION, "",
+            *limits.table({scene: medians(rows, scene) for scene in options.scenes}, reports, bandwidth)]
     tables.write_page(options.results / "stages.md", "Where the time of a frame goes",
                       "Milliseconds of processor time a frame, all threads together, and the share; written by "
-                      "`bench/run stages`. What is measured and how to read it: [README](../README.md).",
-                      table(rows, options.scenes),
+                      "`bench/run stages`. What is measured and how to read it: [README](../README.md).", body,
                       [f"- {options.threads} threads; medians of {rounds} rounds; {SAMPLES_A_SECOND} samples a second",
-                       "- plan: by the clock, on the host; the others: kernels, by samples in their libraries"], load)
+                       "- plan: by the clock, on the host; the others: kernels, by samples in their libraries",
+                       f"- memory, GB/s of {options.threads} threads: fill {bandwidth['fill']:.1f}, read "
+                       f"{bandwidth['read']:.1f}, copy {bandwidth['copy']:.1f}"], load)
