@@ -26,6 +26,7 @@ class ActiveTargets {
     }
     ++size_;
   }
+  void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const ActiveTarget* begin() const { return size_ <= few_.size() ? few_.data() : all_.data(); }

@@ -11,27 +11,15 @@ Row to_row(const glm::dmat4& m, int row) {
   return {to_fp32(m[0][row]), to_fp32(m[1][row]), to_fp32(m[2][row]), to_fp32(m[3][row])};
 }
 
-// A target whose weight is 0 adds 0 to every vertex, fma(0, target, fma(-0, base, p)) = p, so it is left out.
-void add_targets(const Mesh& mesh, const std::vector<double>& weights, bool keeps_idle, ActiveTargets& targets) {
-  for (std::size_t i = 0; i < mesh.targets.size(); ++i) {
-    const float weight = to_fp32(weights[i]);
-    if (weight == 0.0f && !keeps_idle) continue;
-    const bool absolute = mesh.targets[i].form == TargetForm::absolute;
-    targets.push_back({static_cast<int>(i), weight, absolute ? -weight : 0.0f});
-  }
-}
-
 bool is_lit(Shading shading) { return shading == Shading::smooth || shading == Shading::flat; }
 
 }  // namespace
 
-Draw make_draw(const DrawContext& context, std::size_t object_index, const glm::dmat4& object_to_eye,
-               const glm::dmat4& object_to_clip, const std::vector<double>& weights) {
+void make_draw(const DrawContext& context, std::size_t object_index, const glm::dmat4& object_to_eye,
+               const glm::dmat4& object_to_clip, Draw& draw) {
   const Object& object = context.scene.objects[object_index];
-  Draw draw;
   draw.mesh = &context.scene.meshes[object.mesh];
   draw.object = static_cast<std::uint32_t>(object_index);
-  add_targets(*draw.mesh, weights, context.keeps_idle_targets, draw.targets);
   draw.double_sided = object.material.double_sided;
   draw.mirrored = glm::determinant(glm::dmat3(object_to_eye)) < 0.0;
   const glm::dvec4& base = object.material.base_color;
@@ -53,7 +41,17 @@ Draw make_draw(const DrawContext& context, std::size_t object_index, const glm::
     for (int row = 0; row < 3; ++row)
       draw.normal_to_eye[row] = {to_fp32(normals[0][row]), to_fp32(normals[1][row]), to_fp32(normals[2][row])};
   }
-  return draw;
+}
+
+// A target whose weight is 0 adds 0 to every vertex, fma(0, target, fma(-0, base, p)) = p, so it is left out.
+void set_targets(const std::vector<double>& weights, bool keeps_idle, Draw& draw) {
+  draw.targets.clear();
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const float weight = to_fp32(weights[i]);
+    if (weight == 0.0f && !keeps_idle) continue;
+    const bool absolute = draw.mesh->targets[i].form == TargetForm::absolute;
+    draw.targets.push_back({static_cast<int>(i), weight, absolute ? -weight : 0.0f});
+  }
 }
 
 }  // namespace morphcl

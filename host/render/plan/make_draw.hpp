@@ -9,11 +9,14 @@ namespace morphcl {
 struct DrawContext {
   const Scene& scene;
   const FramePlan& plan;  // its lights and ambient light
-  bool keeps_idle_targets, keeps_normals;
+  bool keeps_normals;
 };
 
-// `weights`: one a target of the object's mesh. Error(usage) when a number does not fit into fp32.
-Draw make_draw(const DrawContext& context, std::size_t object, const glm::dmat4& object_to_eye,
-               const glm::dmat4& object_to_clip, const std::vector<double>& weights);
+// All of a draw but its targets. Error(usage) when a number does not fit into fp32.
+void make_draw(const DrawContext& context, std::size_t object, const glm::dmat4& object_to_eye,
+               const glm::dmat4& object_to_clip, Draw& draw);
+
+// Replaces the draw's targets. `weights`: one a target of its mesh. Error(usage) when one does not fit into fp32.
+void set_targets(const std::vector<double>& weights, bool keeps_idle, Draw& draw);
 
 }  // namespace morphcl

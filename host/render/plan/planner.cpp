@@ -10,6 +10,7 @@
 #include "host/geometry/bounds.hpp"
 #include "host/math/rounding.hpp"
 #include "host/render/plan.hpp"
+#include "host/render/plan/draw_memory.hpp"
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
@@ -39,6 +40,25 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
     bounds.push_back(bounds_over_time(scene.timeline.nodes, nodes, object.node, meshes[object.mesh].at(ranges)));
   }
   return bounds;
+}
+
+// What planning asks of every object that may be in view, side by side in memory.
+struct ObjectFacts {
+  int mesh, node;
+  bool has_primitives;
+  bool is_still;  // its node never moves
+  bool morphs;    // some weight has a track
+};
+
+std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler& nodes) {
+  std::vector<ObjectFacts> facts;
+  facts.reserve(scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    facts.push_back({object.mesh, object.node, has_primitives(object, scene.meshes[object.mesh]),
+                     nodes.is_still(object.node), !scene.timeline.weights[i].tracks.empty()});
+  }
+  return facts;
 }
 
 BoundedBox bounded(const Box& box) {
@@ -74,7 +94,8 @@ struct Planner::Impl {
         options(without_exceptions(o)),
         meshes(bounds_of_meshes(s)),
         nodes(s.timeline.nodes),
-        tree(bounds_over_time(s, meshes, nodes)) {}
+        tree(bounds_over_time(s, meshes, nodes)),
+        facts(facts_of_objects(s, nodes)) {}
 
   FramePlan plan(std::int64_t frame);
 
@@ -83,6 +104,7 @@ struct Planner::Impl {
   void add_light(const LightState& light, FramePlan& plan) const;
   void add_draws(const ViewVolume& volume, FramePlan& plan);
   void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
+  const std::vector<double>& weights_of(std::size_t object);  // stands until the next call
 
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};
@@ -97,8 +119,11 @@ struct Planner::Impl {
   std::mutex mutex;  // of what follows: room that every frame uses again
   NodeSampler nodes;
   const ObjectTree tree;
+  const std::vector<ObjectFacts> facts;
   ObjectTree::InView in_view;
+  DrawMemory memory;
   std::vector<double> weights;
+  std::size_t drawn_before = 0;
   std::int64_t tick = 0;
 };
 
@@ -126,28 +151,42 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
 }
 
 void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume, FramePlan& plan) {
-  const Object& object = scene.objects[object_index];
-  const Mesh& mesh = scene.meshes[object.mesh];
-  if (!has_primitives(object, mesh) || !nodes.is_visible(object.node)) return;
+  const ObjectFacts& object = facts[object_index];
+  if (!object.has_primitives || !nodes.is_visible(object.node)) return;
+  const bool inside = in_view.inside.contains(object_index);
+  // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
+  if (const Draw* before = memory.find(static_cast<std::uint32_t>(object_index)); before && inside && object.is_still) {
+    Draw& draw = plan.draws.emplace_back(*before);
+    if (object.morphs) set_targets(weights_of(object_index), !options.idle_targets, draw);
+    return;
+  }
   const glm::dmat4 object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
   const glm::dmat4 object_to_clip = volume.eye_to_clip * object_to_eye;
-  evaluate_weights(scene.timeline.weights[object_index], tick, weights);
-  // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
-  if (!in_view.inside.contains(object_index)) {
-    const BoundedBox box = bounded(meshes[object.mesh].at(weights));
+  const std::vector<double>& targets = weights_of(object_index);
+  if (!inside) {
+    const BoundedBox box = bounded(meshes[object.mesh].at(targets));
     if (options.objects_out_of_view && HalfSpaces(volume.view, object_to_clip).side(box) == Side::outside) return;
     plan.clips = plan.clips || HalfSpaces(volume.clip, object_to_clip).side(box) != Side::inside;
   }
   try {
-    plan.draws.push_back(make_draw({scene, plan, !options.idle_targets, !options.normals}, object_index, object_to_eye,
-                                   object_to_clip, weights));
+    Draw& draw = plan.draws.emplace_back();
+    make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
+    set_targets(targets, !options.idle_targets, draw);
   } catch (const Error& error) {
-    throw Error(ErrorKind::bad_input, "", fmt::format("object \"{}\": {}", object.name, error.message()));
+    throw Error(ErrorKind::bad_input, "",
+                fmt::format("object \"{}\": {}", scene.objects[object_index].name, error.message()));
   }
+}
+
+const std::vector<double>& Planner::Impl::weights_of(std::size_t object) {
+  evaluate_weights(scene.timeline.weights[object], tick, weights);
+  return weights;
 }
 
 void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
   plan.clips = !options.clipping;
+  memory.look({plan.world_to_eye, volume.eye_to_clip, !plan.lights.empty()});
+  plan.draws.reserve(drawn_before);
   if (options.objects_out_of_view) {
     tree.find(HalfSpaces(volume.view, volume.eye_to_clip * plan.world_to_eye), in_view);
     in_view.candidates.for_each([&](std::size_t object) { add_draw(object, volume, plan); });
@@ -155,6 +194,8 @@ void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
     in_view.inside.clear(scene.objects.size());
     for (std::size_t object = 0; object < scene.objects.size(); ++object) add_draw(object, volume, plan);
   }
+  memory.remember(plan.draws);
+  drawn_before = plan.draws.size();
 }
 
 FramePlan Planner::Impl::plan(std::int64_t frame) {
