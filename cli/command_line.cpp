@@ -84,7 +84,8 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
       ->group("Output");
   command
       .add_option("--compression", options.scene.compression,
-                  "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab; default: the shot's, zip for a model")
+                  "none, rle, zips, zip (fast), zip:small, piz; lossy: pxr24, b44, b44a, dwaa, dwab; default: the "
+                  "shot's, zip for a model")
       ->type_name("NAME")
       ->group("Image");
   command.add_option("--frames", options.frames, "7, 1-10, 1-10x2, commas between; default: the shot's range")

@@ -19,11 +19,12 @@ struct Entry {
   int lines;
 };
 
-constexpr std::array<Entry, 10> table{{
+constexpr std::array<Entry, 11> table{{
     {"none", Imf::NO_COMPRESSION, true, 1},
     {"rle", Imf::RLE_COMPRESSION, true, 1},
     {"zips", Imf::ZIPS_COMPRESSION, true, 1},
     {"zip", Imf::ZIP_COMPRESSION, true, 16},
+    {"zip:small", Imf::ZIP_COMPRESSION, true, 16},
     {"piz", Imf::PIZ_COMPRESSION, true, 32},
     {"pxr24", Imf::PXR24_COMPRESSION, false, 16},
     {"b44", Imf::B44_COMPRESSION, false, 32},
@@ -57,6 +58,8 @@ Imf::Compression exr_compression(const std::string& name) {
   throw Error(ErrorKind::usage, "",
               fmt::format("no compression '{}'; there are {}", name, fmt::join(compression_names(), ", ")));
 }
+
+ZlibEffort zip_effort(const std::string& name) { return name == "zip:small" ? ZlibEffort::small : ZlibEffort::fast; }
 
 std::string_view compression_name(Imf::Compression compression) {
   const Entry* entry = find(compression);

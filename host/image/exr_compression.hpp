@@ -6,10 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "host/image/zlib_encoder.hpp"
+
 namespace morphcl {
 
 // Error(usage) lists the names when `name` is none of compression_names().
 Imf::Compression exr_compression(const std::string& name);
+// How hard `name`, zip or zip:small, looks for fewer bytes.
+ZlibEffort zip_effort(const std::string& name);
 std::string_view compression_name(Imf::Compression compression);  // "unknown" for what this library does not know
 
 // Whether every value comes back bit for bit, whatever the pixel types.

@@ -13,20 +13,21 @@
 #include "host/image/exr_compression.hpp"
 #include "host/image/exr_planes.hpp"
 #include "host/image/exr_stream.hpp"
+#include "host/image/exr_zip.hpp"
 
 namespace morphcl {
 
 namespace {
 
-// zlib's level 1 takes half the time of OpenEXR's default, 4; the files are up to twice as large, and still small
-// beside what the other lossless compressions make of rendered frames.
-constexpr int zip_level = 1;
+// Of `zips`, which the library compresses. zlib's level 1 takes half the time of OpenEXR's default, 4; the files are up
+// to twice as large, and still small beside what the other lossless compressions make of rendered frames.
+constexpr int zips_level = 1;
 
 Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attributes, Imf::Compression compression,
                         const std::string& hash) {
   Imf::Header header(frame.width(), frame.height());
   header.compression() = compression;
-  header.zipCompressionLevel() = zip_level;
+  header.zipCompressionLevel() = zips_level;
   if (frame.has_color())
     for (const char* name : color_channel_names) header.channels().insert(name, Imf::Channel(Imf::HALF));
   if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
@@ -34,7 +35,7 @@ Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attribu
   return header;
 }
 
-void encode(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header, int threads) {
+void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header, int threads) {
   if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, threads > 1 ? threads : 0);
@@ -58,7 +59,11 @@ std::string encode_exr(std::vector<char>& bytes, const FrameBuffer& frame, const
   const Imf::Compression method = exr_compression(compression);
   const std::string hash = pixel_hash(frame);
   try {
-    encode(bytes, frame, make_header(frame, attributes, method, hash), threads);
+    const Imf::Header header = make_header(frame, attributes, method, hash);
+    if (method == Imf::ZIP_COMPRESSION)
+      encode_exr_zip(bytes, header, frame, zip_effort(compression), threads);
+    else
+      encode_by_library(bytes, frame, header, threads);
     if (is_lossless(method)) return hash;
     const std::string decoded_hash = decode_exr(bytes).hash;
     replace_hash(bytes, hash, decoded_hash);

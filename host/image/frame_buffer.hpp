@@ -46,6 +46,13 @@ class FrameBuffer {
     return any_blank_ && blank_blocks_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x] == all_blocks;
   }
 
+  // The same of a block of 16 x 16 pixels.
+  bool blank_block(int block_x, int block_y) const {
+    const std::size_t tile = static_cast<std::size_t>(block_y / 4) * tiles_x() + block_x / 4;
+    return any_blank_ && (blank_blocks_[tile] >> (block_y % 4 * 4 + block_x % 4) & 1u) != 0;
+  }
+  int blocks_x() const { return tiles_x() * 4; }
+
   // For a renderer, which keeps the notes true to what it writes: one for each tile, row by row; bit b is set when the
   // tile's block b of 16 x 16 pixels (four a row) is blank.
   struct Planes {
@@ -57,7 +64,7 @@ class FrameBuffer {
   };
   Planes planes();
 
-  static constexpr std::size_t tile_side = 64;
+  static constexpr std::size_t tile_side = 64, block_side = 16;
 
  private:
   static constexpr std::uint32_t all_blocks = 0xffff;

@@ -12,7 +12,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> compressions = {"none",  "rle", "zips", "zip",  "piz",
+constexpr std::array<std::string_view, 11> compressions = {"none",  "rle", "zips", "zip",  "zip:small", "piz",
                                                            "pxr24", "b44", "b44a", "dwaa", "dwab"};
 constexpr std::array<std::string_view, 2> drawn_channels = {"RGBA", "Z"};
 constexpr std::array<std::string_view, 5> later_channels = {"N", "P", "velocity", "object_id", "coverage"};

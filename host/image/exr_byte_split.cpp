@@ -1,0 +1,48 @@
+#include "host/image/exr_byte_split.hpp"
+
+#include <bit>
+#include <cstring>
+
+namespace morphcl {
+
+static_assert(std::endian::native == std::endian::little, "the low byte of a pair is the one at the even position");
+
+namespace {
+
+std::uint16_t pair_at(const unsigned char* bytes, std::size_t i) {
+  std::uint16_t pair;
+  std::memcpy(&pair, bytes + 2 * i, sizeof pair);
+  return pair;
+}
+
+std::uint8_t low_difference(std::uint16_t pair, std::uint16_t before) {
+  return static_cast<std::uint8_t>(pair - before + 128);
+}
+
+std::uint8_t high_difference(std::uint16_t pair, std::uint16_t before) {
+  return static_cast<std::uint8_t>((pair >> 8) - (before >> 8) + 128);
+}
+
+}  // namespace
+
+void ExrByteSplit::add(const void* bytes, std::size_t pairs) {
+  const auto* const in = static_cast<const unsigned char*>(bytes);
+  std::uint8_t* __restrict const even = even_, * __restrict const odd = odd_;
+  even[0] = low_difference(pair_at(in, 0), previous_);
+  odd[0] = high_difference(pair_at(in, 0), previous_);
+  // Compilers make vectors of this: pairs are loaded whole, at i and i - 1, and narrowed.
+  for (std::size_t i = 1; i < pairs; ++i) {
+    even[i] = low_difference(pair_at(in, i), pair_at(in, i - 1));
+    odd[i] = high_difference(pair_at(in, i), pair_at(in, i - 1));
+  }
+  previous_ = pair_at(in, pairs - 1);
+  even_ += pairs;
+  odd_ += pairs;
+}
+
+void ExrByteSplit::finish() {
+  // The byte before the first odd one is the last even one, which was not known when add() had 0 in its place.
+  *first_odd_ = static_cast<std::uint8_t>(*first_odd_ - (previous_ & 0xff));
+}
+
+}  // namespace morphcl

@@ -1,0 +1,32 @@
+// zlib streams (RFC 1950) of whole buffers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace morphcl {
+
+enum class ZlibEffort {
+  fast,   // the least time: ISA-L's igzip where this build has it, else libdeflate at a low level
+  small,  // the least bytes that do not cost many times more: libdeflate
+};
+
+// Keeps its memory from call to call; for one thread at a time. The bytes differ between versions of the compression
+// libraries, what they decode to does not.
+class ZlibEncoder {
+ public:
+  virtual ~ZlibEncoder() = default;
+  // Writes the stream of `in` to the beginning of `out` and returns its length; 0 when there is no room for it and a
+  // few bytes more. The same input gives the same stream, whatever came before.
+  virtual std::size_t encode(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) = 0;
+};
+
+std::unique_ptr<ZlibEncoder> make_zlib_encoder(ZlibEffort effort);
+
+// The library behind `fast`: "igzip" or "libdeflate".
+std::string_view fast_zlib_library();
+
+}  // namespace morphcl

@@ -1,0 +1,227 @@
+// morphcl's own ZIP path against OpenEXR's: the same header, the same prepared bytes, and files that decode to the
+// frame.
+#include "host/image/exr_zip.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfOutputFile.h>
+#include <gtest/gtest.h>
+#include <libdeflate.h>
+
+#include <algorithm>
+
+#include "host/image/exr_byte_split.hpp"
+#include "host/image/exr_encode.hpp"
+#include "host/image/exr_planes.hpp"
+#include "host/image/exr_stream.hpp"
+#include "host/image/exr_zip_chunk.hpp"
+#include "tests/image/exr_chunks.hpp"
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl {
+namespace {
+
+using namespace image_test;
+
+struct Shape {
+  int width, height;
+  bool color, depth;
+};
+const std::vector<Shape> shapes{{1, 1, true, true},    {1, 1, true, false},  {1, 1, false, true},
+                                {17, 3, true, true},   {17, 3, true, false}, {17, 3, false, true},
+                                {129, 65, true, true}, {2, 16, true, true},  {1087, 49, true, true}};
+
+std::string name_of(const Shape& shape) {
+  return std::to_string(shape.width) + " x " + std::to_string(shape.height) + (shape.color ? " RGBA" : "") +
+         (shape.depth ? " Z" : "");
+}
+
+int chunk_count(const FrameBuffer& frame) { return (frame.height() + 15) / 16; }
+
+Imf::Header header_of(const FrameBuffer& frame) {
+  Imf::Header header(frame.width(), frame.height());
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const char* name : color_channel_names)
+    if (frame.has_color()) header.channels().insert(name, Imf::Channel(Imf::HALF));
+  if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
+  return header;
+}
+
+std::vector<char> library_file(FrameBuffer& frame) {
+  std::vector<char> bytes;
+  {
+    MemoryOutput output(bytes);
+    Imf::OutputFile file(output, header_of(frame), 0);
+    file.setFrameBuffer(planes_of(frame, 0, 0));
+    file.writePixels(frame.height());
+  }
+  return bytes;
+}
+
+std::vector<char> our_file(const FrameBuffer& frame, ZlibEffort effort = ZlibEffort::fast, int threads = 1) {
+  std::vector<char> bytes;
+  encode_exr_zip(bytes, header_of(frame), frame, effort, threads);
+  return bytes;
+}
+
+// The bytes before deflation, and whether the chunk was deflated at all.
+std::vector<std::uint8_t> inflated(const ExrChunk& chunk, std::size_t bytes) {
+  if (chunk.data.size() >= bytes) return chunk.data;
+  std::vector<std::uint8_t> out(bytes);
+  libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
+  const auto result =
+      libdeflate_zlib_decompress(decompressor, chunk.data.data(), chunk.data.size(), out.data(), out.size(), nullptr);
+  libdeflate_free_decompressor(decompressor);
+  EXPECT_EQ(result, LIBDEFLATE_SUCCESS);
+  return out;
+}
+
+// Marks a block of 16 x 16 pixels as blank and fills it, if `with` is not 0, with what nobody may look at.
+void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with) {
+  const FrameBuffer::Planes planes = frame.planes();
+  constexpr std::size_t side = FrameBuffer::block_side;
+  for (std::size_t y = 0; y < side; ++y) {
+    const std::size_t row =
+        (static_cast<std::size_t>(block_y) * side + y) * frame.row_pitch() + static_cast<std::size_t>(block_x) * side;
+    for (std::uint16_t* plane : planes.color)
+      if (plane) std::fill_n(plane + row, side, with);
+    if (planes.depth) std::fill_n(planes.depth + row, side, with ? 1.0f : background_depth);
+  }
+  planes.blank_blocks[block_y / 4 * frame.tiles_x() + block_x / 4] |= 1u << (block_y % 4 * 4 + block_x % 4);
+}
+
+// What OpenEXR's file layout says, step by step.
+std::vector<std::uint8_t> prepared_step_by_step(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint8_t> out;
+  for (const std::size_t parity : {0, 1})
+    for (std::size_t i = parity; i < bytes.size(); i += 2) out.push_back(bytes[i]);
+  for (std::size_t i = out.size(); i-- > 1;) out[i] = static_cast<std::uint8_t>(out[i] - out[i - 1] + 128);
+  return out;
+}
+
+TEST(ExrByteSplit, EqualsTheStepByStepDefinitionForEveryPieceLength) {
+  std::vector<std::uint8_t> bytes(2 * 700);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i * 31 + i / 7);
+  const std::vector<std::uint8_t> expected = prepared_step_by_step(bytes);
+  for (std::size_t piece = 1; piece <= 700; piece += piece < 140 ? 1 : 97) {
+    std::vector<std::uint8_t> out(bytes.size());
+    ExrByteSplit split(out.data(), out.size());
+    for (std::size_t first = 0; first < 700; first += piece)
+      split.add(bytes.data() + 2 * first, std::min(piece, 700 - first));
+    split.finish();
+    EXPECT_EQ(out, expected) << "in pieces of " << piece;
+  }
+}
+
+TEST(ExrZip, HeaderAndPreparedBytesAreTheLibrarys) {
+  for (const Shape& shape : shapes) {
+    SCOPED_TRACE(name_of(shape));
+    FrameBuffer frame = disc_frame(shape.width, shape.height, shape.color, shape.depth);
+    const int count = chunk_count(frame);
+    const ExrChunks theirs = chunks_of(library_file(frame), count);
+    for (const ZlibEffort effort : {ZlibEffort::fast, ZlibEffort::small}) {
+      const ExrChunks ours = chunks_of(our_file(frame, effort), count);
+      EXPECT_EQ(ours.header, theirs.header);
+      for (int i = 0; i < count; ++i) {
+        const ExrChunk &our = ours.chunks[static_cast<std::size_t>(i)],
+                       &their = theirs.chunks[static_cast<std::size_t>(i)];
+        const auto lines = static_cast<std::size_t>(std::min(16, shape.height - 16 * i));
+        const std::size_t bytes = line_bytes(frame) * lines;
+        EXPECT_EQ(our.first_line, 16 * i);
+        // Where both deflated, they deflated the same bytes; a chunk that one of them stored has another form.
+        if ((our.data.size() < bytes) == (their.data.size() < bytes)) {
+          EXPECT_EQ(inflated(our, bytes), inflated(their, bytes)) << "chunk " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExrZip, EveryShapeComesBackBitForBit) {
+  for (const Shape& shape : shapes)
+    for (const ZlibEffort effort : {ZlibEffort::fast, ZlibEffort::small}) {
+      SCOPED_TRACE(name_of(shape));
+      for (const bool noise : {false, true}) {
+        const FrameBuffer frame = noise ? arbitrary_frame(shape.width, shape.height, shape.color, shape.depth)
+                                        : disc_frame(shape.width, shape.height, shape.color, shape.depth);
+        EXPECT_EQ(difference(frame, decode_exr(our_file(frame, effort)).frame), "");
+      }
+    }
+}
+
+TEST(ExrZip, NoiseIsStoredAsItIs) {
+  const FrameBuffer frame = arbitrary_frame(200, 40, true, true);
+  const ExrChunks ours = chunks_of(our_file(frame), 3);
+  EXPECT_EQ(ours.chunks[0].data.size(), 200u * 12 * 16);
+  EXPECT_EQ(ours.chunks[2].data.size(), 200u * 12 * 8);
+  EXPECT_EQ(std::memcmp(ours.chunks[1].data.data(), frame.color(3) + 16 * frame.row_pitch(), 400), 0)
+      << "A comes first";
+}
+
+TEST(ExrZip, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
+  // 10 x 9 blocks, cut off on the right and below; rows of blocks that are blank wholly, in part and not at all.
+  FrameBuffer marked = disc_frame(150, 140), plain = disc_frame(150, 140);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 10; ++x)
+      if (y < 2 || y == 8 || (y % 2 == 0 && x % 3 != 0)) {
+        make_blank(marked, x, y, 0x3c01);
+        make_blank(plain, x, y, 0);
+      }
+  plain.depth();  // nothing counts as blank any more
+  ASSERT_TRUE(marked.blank_block(9, 8));
+  ASSERT_FALSE(marked.blank_block(9, 4));
+  ASSERT_FALSE(plain.blank_block(9, 8));
+  for (const int threads : {1, 4})
+    EXPECT_EQ(our_file(marked, ZlibEffort::fast, threads), our_file(plain)) << threads << " threads";
+}
+
+TEST(ExrZip, WideRunsOfBlankBlocksAreWhole) {
+  FrameBuffer marked(2600, 20, true, true), plain(2600, 20, true, true);
+  for (int x = 0; x < marked.blocks_x(); ++x)
+    for (const int y : {0, 1}) make_blank(marked, x, y, 0x3c01);
+  std::fill_n(plain.depth(), plain.plane_elements(), background_depth);
+  EXPECT_EQ(our_file(marked), our_file(plain));
+}
+
+// Chunks that equal the one before are copied; one that only looks alike is not.
+TEST(ExrZip, RepeatedChunksAreTheirOwnPixels) {
+  for (const bool noise : {false, true}) {
+    FrameBuffer frame = noise ? arbitrary_frame(100, 104, true, true) : disc_frame(100, 104);
+    const std::size_t pitch = frame.row_pitch();
+    const auto copy_lines = [&](int from, int to, int lines) {
+      const std::size_t a = static_cast<std::size_t>(from) * pitch, b = static_cast<std::size_t>(to) * pitch;
+      const std::size_t n = static_cast<std::size_t>(lines) * pitch;
+      for (int channel = 0; channel < 4; ++channel) std::copy_n(frame.color(channel) + a, n, frame.color(channel) + b);
+      std::copy_n(frame.depth() + a, n, frame.depth() + b);
+    };
+    copy_lines(16, 32, 16);  // twice the same, then the same but for one bit, then the same again, shorter
+    copy_lines(16, 48, 16);
+    frame.depth()[63 * pitch + 99] += 1;
+    copy_lines(48, 64, 16);
+    copy_lines(80, 96, 8);
+    const std::vector<char> file = our_file(frame);
+    EXPECT_EQ(difference(frame, decode_exr(file).frame), "");
+    const ExrChunks chunks = chunks_of(file, 7);
+    EXPECT_EQ(chunks.chunks[1].data, chunks.chunks[2].data);
+    EXPECT_EQ(our_file(frame, ZlibEffort::fast, 7), file) << "each chunk by itself";
+  }
+}
+
+// What an encoder keeps from one frame must not come out of the next.
+TEST(ExrZip, FramesOfOtherShapesFollowEachOther) {
+  for (int round = 0; round < 2; ++round)
+    for (const Shape& shape : shapes) {
+      SCOPED_TRACE(name_of(shape));
+      const FrameBuffer first = disc_frame(shape.width, shape.height, shape.color, shape.depth);
+      const FrameBuffer second(shape.width, shape.height, shape.color, shape.depth);
+      EXPECT_EQ(difference(first, decode_exr(our_file(first)).frame), "");
+      EXPECT_EQ(difference(second, decode_exr(our_file(second)).frame), "");
+    }
+}
+
+TEST(ExrZip, SmallFilesAreSmaller) {
+  const FrameBuffer frame = disc_frame(640, 480);
+  EXPECT_LT(our_file(frame, ZlibEffort::small).size(), our_file(frame, ZlibEffort::fast).size());
+}
+
+}  // namespace
+}  // namespace morphcl

@@ -1,0 +1,98 @@
+// zlib streams of every kind of data, in exactly as much room as they need.
+#include "host/image/zlib_encoder.hpp"
+
+#include <gtest/gtest.h>
+#include <libdeflate.h>
+
+#include <vector>
+
+namespace morphcl {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::vector<Bytes> kinds_of_data(std::size_t bytes) {
+  std::vector<Bytes> kinds(4, Bytes(bytes, 128));
+  std::uint64_t state = 1;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const auto noise = static_cast<std::uint8_t>(state >> 56);
+    kinds[1][i] = noise;
+    if (noise < 8) kinds[2][i] = noise;                  // runs
+    kinds[3][i] = static_cast<std::uint8_t>(noise & 3);  // few symbols
+  }
+  return kinds;
+}
+
+Bytes decoded(const std::uint8_t* stream, std::size_t stream_bytes, std::size_t bytes) {
+  Bytes out(bytes);
+  libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
+  std::size_t used = 0;
+  const auto result =
+      libdeflate_zlib_decompress_ex(decompressor, stream, stream_bytes, out.data(), out.size(), &used, nullptr);
+  libdeflate_free_decompressor(decompressor);
+  EXPECT_EQ(result, LIBDEFLATE_SUCCESS);
+  EXPECT_EQ(used, stream_bytes);
+  return out;
+}
+
+class ZlibEncoders : public testing::TestWithParam<ZlibEffort> {};
+
+TEST_P(ZlibEncoders, StreamsDecodeToWhatWentIn) {
+  const auto encoder = make_zlib_encoder(GetParam());
+  for (const std::size_t bytes : {1, 2, 7, 100, 4096, 65536, 368640, 3000000})
+    for (const Bytes& data : kinds_of_data(bytes)) {
+      Bytes out(bytes + bytes / 8 + 1000);
+      const std::size_t stream = encoder->encode(data, out);
+      ASSERT_GT(stream, 0u);
+      EXPECT_EQ(decoded(out.data(), stream, bytes), data);
+    }
+}
+
+TEST_P(ZlibEncoders, NothingIsWrittenBeyondTheRoom) {
+  const auto encoder = make_zlib_encoder(GetParam());
+  for (const Bytes& data : kinds_of_data(20000)) {
+    Bytes whole(30000);
+    const std::size_t needed = encoder->encode(data, whole);
+    for (const std::size_t room :
+         {std::size_t{0}, std::size_t{1}, std::size_t{10}, needed / 2, needed - 1, needed, needed + 9, needed + 10}) {
+      constexpr std::uint8_t guard = 0xa5;
+      Bytes out(room + 64, guard);
+      const std::size_t stream = encoder->encode(data, {out.data(), room});
+      EXPECT_LE(stream, room);
+      for (std::size_t i = room; i < out.size(); ++i)
+        ASSERT_EQ(out[i], guard) << "room for " << room << " of " << needed;
+      if (stream > 0) {
+        EXPECT_EQ(decoded(out.data(), stream, data.size()), data);
+      }
+      if (room < needed || room > needed + 9) {
+        EXPECT_EQ(stream > 0, room > needed) << "room for " << room << " of " << needed;
+      }
+    }
+  }
+}
+
+// A frame's bytes must depend neither on where in memory an encoder is nor on what it has compressed before.
+TEST_P(ZlibEncoders, StreamsDependOnTheirInputAlone) {
+  std::vector<std::unique_ptr<ZlibEncoder>> encoders(6);
+  for (auto& encoder : encoders) encoder = make_zlib_encoder(GetParam());
+  const std::vector<Bytes> history = kinds_of_data(5000);
+  for (std::size_t bytes = 1; bytes < 900; bytes += bytes < 400 ? 1 : 50)
+    for (const Bytes& data : kinds_of_data(bytes)) {
+      std::vector<Bytes> streams;
+      for (std::size_t i = 0; i < encoders.size(); ++i) {
+        Bytes out(6000);
+        encoders[i]->encode(history[(bytes + i) % history.size()], out);
+        std::fill(out.begin(), out.end(), std::uint8_t{0});
+        encoders[i]->encode(data, out);
+        streams.push_back(std::move(out));
+      }
+      for (const Bytes& stream : streams) ASSERT_EQ(stream, streams[0]) << bytes << " bytes";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Efforts, ZlibEncoders, testing::Values(ZlibEffort::fast, ZlibEffort::small),
+                         [](const auto& test) { return test.param == ZlibEffort::fast ? "fast" : "small"; });
+
+}  // namespace
+}  // namespace morphcl
