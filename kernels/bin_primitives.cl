@@ -255,17 +255,17 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
                        (draw->flags & DRAW_DOUBLE_SIDED) != 0);
 }
 
-kernel void bin_primitives(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                           global const uint* restrict block_draw, global const uint* restrict position_draw,
-                           global const uint* restrict indices,
-                           global const int4* restrict vertices, global const uint* restrict clip_source,
-                           global const uint* restrict clip_count, global uint* restrict fragment_heads,
-                           global uint* restrict fragment_next, global ulong* restrict fragment_keys,
-                           global ushort* restrict fragment_places, global uint* restrict entry_heads,
-                           global uint* restrict entry_next, global uint* restrict entry_triangles,
-                           global LargeTriangle* restrict large, global ChunkStatus* restrict status,
-                           global uint* restrict overflow) {
-  const uint chunk = get_global_id(0), tiles = (uint)(frame->tiles_x * frame->tiles_y);
+COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict frame,
+                             global const DrawConstants* restrict draws, global const uint* restrict block_draw,
+                             global const uint* restrict position_draw, global const uint* restrict indices,
+                             global const int4* restrict vertices, global const uint* restrict clip_source,
+                             global const uint* restrict clip_count, global uint* restrict fragment_heads,
+                             global uint* restrict fragment_next, global ulong* restrict fragment_keys,
+                             global ushort* restrict fragment_places, global uint* restrict entry_heads,
+                             global uint* restrict entry_next, global uint* restrict entry_triangles,
+                             global LargeTriangle* restrict large, global ChunkStatus* restrict status,
+                             global uint* restrict overflow) {
+  const uint tiles = (uint)(frame->tiles_x * frame->tiles_y);
   Bins bins;
   bins.fragments.heads = fragment_heads + (size_t)chunk * tiles;
   bins.fragments.next = fragment_next + (size_t)chunk * frame->fragment_pages;
@@ -312,4 +312,16 @@ kernel void bin_primitives(constant const FrameConstants* restrict frame, global
   if (bins.fragments.pages > frame->fragment_pages || bins.entries.pages > frame->entry_pages ||
       bins.large_count > frame->large_capacity)
     atomic_or(overflow, 1u);
+}
+
+kernel void bin_primitives(constant const FrameConstants* frame, global const DrawConstants* draws,
+                           global const uint* block_draw, global const uint* position_draw, global const uint* indices,
+                           global const int4* vertices, global const uint* clip_source, global const uint* clip_count,
+                           global uint* fragment_heads, global uint* fragment_next, global ulong* fragment_keys,
+                           global ushort* fragment_places, global uint* entry_heads, global uint* entry_next,
+                           global uint* entry_triangles, global LargeTriangle* large, global ChunkStatus* status,
+                           global uint* overflow) {
+  bin_chunk((uint)get_global_id(0), frame, draws, block_draw, position_draw, indices, vertices, clip_source, clip_count,
+            fragment_heads, fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles,
+            large, status, overflow);
 }

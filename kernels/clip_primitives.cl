@@ -32,11 +32,11 @@ static inline bool needs_clipping(global const int4* vertices, uint a, uint b, u
   return some != 0 && all == 0 && (some & OUT_INVALID) == 0;
 }
 
-kernel void count_clipped(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                          global const uint* restrict block_draw, global const uint* restrict indices,
-                          global const int4* restrict vertices, global const uint* restrict vertex_status,
-                          uint vertex_chunks, global ChunkStatus* restrict status) {
-  const uint chunk = get_global_id(0);
+COMPILED_ONCE void count_chunk(uint chunk, constant const FrameConstants* restrict frame,
+                               global const DrawConstants* restrict draws, global const uint* restrict block_draw,
+                               global const uint* restrict indices, global const int4* restrict vertices,
+                               global const uint* restrict vertex_status, uint vertex_chunks,
+                               global ChunkStatus* restrict status) {
   uint outside = 0, count = 0;
   for (uint i = 0; i < vertex_chunks; i++) outside |= vertex_status[i];
   if (outside) {
@@ -51,6 +51,13 @@ kernel void count_clipped(constant const FrameConstants* restrict frame, global 
     }
   }
   status[chunk].clipped = count;
+}
+
+kernel void count_clipped(constant const FrameConstants* frame, global const DrawConstants* draws,
+                          global const uint* block_draw, global const uint* indices, global const int4* vertices,
+                          global const uint* vertex_status, uint vertex_chunks, global ChunkStatus* status) {
+  count_chunk((uint)get_global_id(0), frame, draws, block_draw, indices, vertices, vertex_status, vertex_chunks,
+              status);
 }
 
 // The source vertex in clip space. Sixteen lanes are loaded and one is kept: the arithmetic must be projection's own.
@@ -126,13 +133,13 @@ static inline int cut_by_plane(const Corner* in, int count, Corner* out, int pla
   return left;
 }
 
-kernel void clip_primitives(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                            global const TargetConstants* restrict targets, global const uint* restrict block_draw,
-                            global const uint* restrict indices, global const float* restrict mesh_data,
-                            global int4* restrict vertices, global const ChunkStatus* restrict status,
-                            global uint* restrict clip_source, global uint* restrict clip_count,
-                            global float4* restrict clip_weights) {
-  const uint chunk = get_global_id(0);
+COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restrict frame,
+                              global const DrawConstants* restrict draws,
+                              global const TargetConstants* restrict targets, global const uint* restrict block_draw,
+                              global const uint* restrict indices, global const float* restrict mesh_data,
+                              global int4* restrict vertices, global const ChunkStatus* restrict status,
+                              global uint* restrict clip_source, global uint* restrict clip_count,
+                              global float4* restrict clip_weights) {
   if (status[chunk].clipped == 0) return;
   uint slot = 0;
   for (uint i = 0; i < chunk; i++) slot += status[i].clipped;
@@ -169,4 +176,13 @@ kernel void clip_primitives(constant const FrameConstants* restrict frame, globa
       slot++;
     }
   }
+}
+
+kernel void clip_primitives(constant const FrameConstants* frame, global const DrawConstants* draws,
+                            global const TargetConstants* targets, global const uint* block_draw,
+                            global const uint* indices, global const float* mesh_data, global int4* vertices,
+                            global const ChunkStatus* status, global uint* clip_source, global uint* clip_count,
+                            global float4* clip_weights) {
+  clip_chunk((uint)get_global_id(0), frame, draws, targets, block_draw, indices, mesh_data, vertices, status,
+             clip_source, clip_count, clip_weights);
 }

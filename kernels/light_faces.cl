@@ -12,11 +12,10 @@
 #include "vector.h"
 #include "light.h"
 
-kernel void light_faces(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                        global const uint* restrict block_draw, global const uint* restrict indices,
-                        global const LightConstants* restrict lights, global const int4* restrict attributes,
-                        global int4* restrict face_color) {
-  const uint chunk = get_global_id(0);
+COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restrict frame,
+                               global const DrawConstants* restrict draws, global const uint* restrict block_draw,
+                               global const uint* restrict indices, global const LightConstants* restrict lights,
+                               global const int4* restrict attributes, global int4* restrict face_color) {
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
     global const DrawConstants* draw = &draws[block_draw[block]];
@@ -61,4 +60,10 @@ kernel void light_faces(constant const FrameConstants* restrict frame, global co
     store_records(as_int16(light.r * draw->base_color[0]), as_int16(light.g * draw->base_color[1]),
                   as_int16(light.b * draw->base_color[2]), (int16)0, face_color + (size_t)block * LANES);
   }
+}
+
+kernel void light_faces(constant const FrameConstants* frame, global const DrawConstants* draws,
+                        global const uint* block_draw, global const uint* indices, global const LightConstants* lights,
+                        global const int4* attributes, global int4* face_color) {
+  light_chunk((uint)get_global_id(0), frame, draws, block_draw, indices, lights, attributes, face_color);
 }

@@ -51,12 +51,13 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
   return min(max(value, (float16)0.0f), (float16)1.0f);
 }
 
-kernel void project_vertices(constant const FrameConstants* restrict frame, global const uint* restrict chunks,
-                             global const DrawConstants* restrict draws,
-                             global const TargetConstants* restrict targets, global const uint* restrict group_draw,
-                             global const float* restrict mesh_data, global int4* restrict vertices,
-                             global int4* restrict attributes, global int4* restrict colors, global uint* restrict status) {
-  const uint chunk = chunks[get_global_id(0)];
+COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* restrict frame,
+                                 global const uint* restrict chunks, global const DrawConstants* restrict draws,
+                                 global const TargetConstants* restrict targets, global const uint* restrict group_draw,
+                                 global const float* restrict mesh_data, global int4* restrict vertices,
+                                 global int4* restrict attributes, global int4* restrict colors,
+                                 global uint* restrict status) {
+  const uint chunk = chunks[place];
   const uint end = min((chunk + 1) * GROUPS_PER_CHUNK, frame->group_count);
   int16 any_outside = 0;
   for (uint group = chunk * GROUPS_PER_CHUNK; group < end; group++) {
@@ -98,4 +99,12 @@ kernel void project_vertices(constant const FrameConstants* restrict frame, glob
                     as_int16(morphed_color_plane(draw, targets, mesh_data, at, 3)), colors + record);
   }
   status[chunk] = any_lane(any_outside);
+}
+
+kernel void project_vertices(constant const FrameConstants* frame, global const uint* chunks,
+                             global const DrawConstants* draws, global const TargetConstants* targets,
+                             global const uint* group_draw, global const float* mesh_data, global int4* vertices,
+                             global int4* attributes, global int4* colors, global uint* status) {
+  project_chunk((uint)get_global_id(0), frame, chunks, draws, targets, group_draw, mesh_data, vertices, attributes,
+                colors, status);
 }

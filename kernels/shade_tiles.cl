@@ -342,23 +342,23 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   return row_color(color, alpha);
 }
 
-kernel void shade_tiles(constant const FrameConstants* restrict frame, global const DrawConstants* restrict draws,
-                        global const uint* restrict block_draw, global const uint* restrict indices,
-                        global const LightConstants* restrict lights, global const int4* restrict vertices,
-                        global const int4* restrict attributes, global const int4* restrict colors,
-                        global const int4* restrict face_color, global const uint* restrict clip_source,
-                        global const float4* restrict clip_weights, global const ChunkStatus* restrict status,
-                        global const uint* restrict fragment_heads, global const uint* restrict fragment_next,
-                        global const ulong* restrict fragment_keys, global const ushort* restrict fragment_places,
-                        global const uint* restrict entry_heads, global const uint* restrict entry_next,
-                        global const uint* restrict entry_triangles, global const LargeTriangle* restrict large,
-                        global const uint* restrict overflow, global half* restrict red, global half* restrict green,
-                        global half* restrict blue, global half* restrict alpha, global float* restrict distance,
-                        global uint* restrict blank_blocks,
-                        local float16* tile_depths, local uint16* tile_ids) {
+COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restrict frame,
+                              global const DrawConstants* restrict draws, global const uint* restrict block_draw,
+                              global const uint* restrict indices, global const LightConstants* restrict lights,
+                              global const int4* restrict vertices, global const int4* restrict attributes,
+                              global const int4* restrict colors, global const int4* restrict face_color,
+                              global const uint* restrict clip_source, global const float4* restrict clip_weights,
+                              global const ChunkStatus* restrict status, global const uint* restrict fragment_heads,
+                              global const uint* restrict fragment_next, global const ulong* restrict fragment_keys,
+                              global const ushort* restrict fragment_places, global const uint* restrict entry_heads,
+                              global const uint* restrict entry_next, global const uint* restrict entry_triangles,
+                              global const LargeTriangle* restrict large, global const uint* restrict overflow,
+                              global half* restrict red, global half* restrict green, global half* restrict blue,
+                              global half* restrict alpha, global float* restrict distance,
+                              global uint* restrict blank_blocks, local float16* tile_depths, local uint16* tile_ids) {
   if (*overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
-  const uint number = ((uint)get_global_id(0) * frame->tile_step) % tiles;
+  const uint number = (place * frame->tile_step) % tiles;
   Tile tile;
   tile.depth = tile_depths, tile.id = tile_ids;
   tile.x = (int)(number % (uint)frame->tiles_x) * TILE, tile.y = (int)(number / (uint)frame->tiles_x) * TILE;
@@ -433,4 +433,22 @@ kernel void shade_tiles(constant const FrameConstants* restrict frame, global co
         left = color;
       }
   }
+}
+
+kernel void shade_tiles(constant const FrameConstants* frame, global const DrawConstants* draws,
+                        global const uint* block_draw, global const uint* indices, global const LightConstants* lights,
+                        global const int4* vertices, global const int4* attributes, global const int4* colors,
+                        global const int4* face_color, global const uint* clip_source,
+                        global const float4* clip_weights, global const ChunkStatus* status,
+                        global const uint* fragment_heads, global const uint* fragment_next,
+                        global const ulong* fragment_keys, global const ushort* fragment_places,
+                        global const uint* entry_heads, global const uint* entry_next,
+                        global const uint* entry_triangles, global const LargeTriangle* large,
+                        global const uint* overflow, global half* red, global half* green, global half* blue,
+                        global half* alpha, global float* distance, global uint* blank_blocks,
+                        local float16* tile_depths, local uint16* tile_ids) {
+  shade_tile((uint)get_global_id(0), frame, draws, block_draw, indices, lights, vertices, attributes, colors,
+             face_color, clip_source, clip_weights, status, fragment_heads, fragment_next, fragment_keys,
+             fragment_places, entry_heads, entry_next, entry_triangles, large, overflow, red, green, blue, alpha,
+             distance, blank_blocks, tile_depths, tile_ids);
 }

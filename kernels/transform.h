@@ -1,5 +1,6 @@
 // Batch transforms of vertices, sixteen at a time. Included by transform_f32.cl and transform_f64.cl, which define:
 //   real, real4, real16   float or double, and vectors of it
+//   lanes16               the unsigned vector as wide as real16, for shuffles
 //   bits16, as_bits16     the integer vector as wide as real16, and the cast to it; as_real16 casts back;
 //                         convert_bits16 makes a mask of it
 //   FRACTION_BITS         stored bits of a real's fraction
@@ -8,7 +9,8 @@
 // One kernel for each layout of the vertices and each way to choose matrices:
 //   transform_separate, transform_xyz, transform_xyzw        rows[] holds one matrix
 //   ..._by_index    vertex i goes through matrix index[i]
-//   ..._blended     vertex i goes through the sum of four matrices influence[4 i + k], weighted by weight[4 i + k]
+//   ..._blended     vertex i goes through the sum of four matrices, weighted by weight[4 i + k]; number k is in bits
+//                 16 k to 16 k + 15 of influence[i]
 //
 // In:  rows: 3 or 4 rows a matrix (kind, transform_kind.h), the factor of (x, y, z, 1) each; `count` vertices.
 //      separate: one array a coordinate; xyz, xyzw: one array of records of three or four reals, of which w is no
@@ -26,9 +28,7 @@
 #include "transform_kind.h"
 #include "transform_layout.h"
 
-typedef struct {
-  real16 x, y, z, w;  // factors of x, y, z and 1
-} Row;
+typedef Vertices Row;  // factors of x, y, z and 1
 
 typedef struct {
   Row x, y, z, w;  // w: of projective matrices only
@@ -116,9 +116,7 @@ ALWAYS_INLINE Matrices same_matrix(global const real4* rows, uint kind) {
 ALWAYS_INLINE Row gather_row(global const real4* rows, uint16 at) {
   const real16 a = FOUR_ROWS(0, 1, 2, 3), b = FOUR_ROWS(4, 5, 6, 7);
   const real16 c = FOUR_ROWS(8, 9, a, b), d = FOUR_ROWS(c, d, e, f);
-  Row row;
-  FIELDS_OF_4(real16, a, b, c, d, row.x, row.y, row.z, row.w)
-  return row;
+  return fields_of_4(a, b, c, d);
 }
 
 ALWAYS_INLINE Matrices gather_matrices(global const real4* rows, uint16 index, uint kind) {
@@ -167,14 +165,9 @@ ALWAYS_INLINE Homogeneous add_weighted(Homogeneous sum, real16 weight, Homogeneo
 }
 
 ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_count, uint kind, Vertices v,
-                                         global const ushort* influence, Source weights, ulong at, long lanes,
+                                         global const ulong* influence, Source weights, ulong at, long lanes,
                                          global uint* bad_index) {
-  const ushort16 a = load_ushorts(influence + 4 * at, 4 * lanes);
-  const ushort16 b = load_ushorts(influence + 4 * at + 16, 4 * lanes - 16);
-  const ushort16 c = load_ushorts(influence + 4 * at + 32, 4 * lanes - 32);
-  const ushort16 d = load_ushorts(influence + 4 * at + 48, 4 * lanes - 48);
-  ushort16 asked[4];
-  FIELDS_OF_4(ushort16, a, b, c, d, asked[0], asked[1], asked[2], asked[3])
+  const ulong16 asked = load_ulongs(influence + at, lanes);
   const Vertices weight = load_xyzw(weights, at, lanes);
   const real16 weight_of[4] = {weight.x, weight.y, weight.z, weight.w};
 
@@ -183,7 +176,7 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
   int16 bad = 0;
   const uint16 last = matrix_count - 1;
   for (int k = 0; k < 4; ++k) {
-    const uint16 matrix = convert_uint16(asked[k]);
+    const uint16 matrix = convert_uint16(asked >> (ulong)(16 * k)) & (uint16)(0xffff);
     bad |= matrix > last;
     const Matrices m = gather_matrices(rows, min(matrix, last), kind);
     sum = add_weighted(sum, weight_of[k], multiply(m, v, kind));
@@ -233,7 +226,7 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
     }                                                                                                                  \
   }                                                                                                                    \
   kernel void transform_##LAYOUT##_blended(global const real4* rows, uint kind, uint matrix_count,                     \
-                                           global uint* bad_index, global const ushort* influence,                     \
+                                           global uint* bad_index, global const ulong* influence,                      \
                                            global const real* weight, VERTICES, SHARE) {                               \
     const Source in = VERTICES##_SOURCE, weights = {weight, 0, 0};                                                     \
     const Target to = VERTICES##_TARGET;                                                                               \

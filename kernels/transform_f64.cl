@@ -6,6 +6,7 @@ typedef double real;
 typedef double4 real4;
 typedef double16 real16;
 typedef long16 bits16;
+typedef ulong16 lanes16;
 #define as_bits16 as_long16
 #define as_real16 as_double16
 #define convert_bits16 convert_long16

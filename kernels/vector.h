@@ -16,6 +16,13 @@
 // Loops over three corners or edges, whose variables are to stay in registers.
 #define FOR_THREE(i) _Pragma("unroll") for (int i = 0; i < 3; i++)
 
+// For the body of a kernel: PoCL makes several versions of the kernel itself, and should compile its body once.
+#ifdef MORPHCL_POCL
+#define COMPILED_ONCE static __attribute__((noinline))
+#else
+#define COMPILED_ONCE static
+#endif
+
 #define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 
 // A vector whose lanes are looked at one by one. (Read only: a vector load after a store of one lane waits for it.)
