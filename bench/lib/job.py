@@ -47,22 +47,36 @@ def measure(programs, name, commands, folder, environment):
             "peak_megabytes": watched.peak_megabytes, **figures}
 
 
+def figures_of(rows, scene, name, key):
+    """Round after round."""
+    return [row[key] for row in rows if row["scene"] == scene and row["program"] == name]
+
+
+def beside_peer(rows, scene, name):
+    """Cells: times faster, at least, aim, lowest to highest round; and times faster with start and end."""
+    def ratios(key):
+        return [theirs / ours for ours, theirs in zip(figures_of(rows, scene, name, key),
+                                                      figures_of(rows, scene, "llvmpipe", key))]
+
+    def ratio(key):
+        ours, theirs = (statistics.median(figures_of(rows, scene, who, key)) for who in (name, "llvmpipe"))
+        return theirs / ours
+    rounds = ratios("frame_ms")
+    return [f"**{ratio('frame_ms'):.1f}**", *GOALS[scene], f"{min(rounds):.1f} to {max(rounds):.1f}",
+            f"{ratio('with_start_ms'):.1f}"]
+
+
 def table(rows, scenes, names):
-    def median(scene, name, key):
-        return statistics.median(row[key] for row in rows if row["scene"] == scene and row["program"] == name)
     lines = []
     for scene in scenes:
         for name in names:
-            frame, whole, size, peak = (median(scene, name, key) for key in ("frame_ms", "with_start_ms", "mean_bytes",
-                                                                             "peak_megabytes"))
-            faster, faster_whole, least, aim = "", "", "", ""
-            if "llvmpipe" in names and name != "llvmpipe":
-                faster = f"**{median(scene, 'llvmpipe', 'frame_ms') / frame:.1f}**"
-                faster_whole = f"{median(scene, 'llvmpipe', 'with_start_ms') / whole:.1f}"
-                least, aim = GOALS[scene]
-            lines.append([scene, name, f"{frame:.2f}", faster, least, aim, f"{whole:.2f}", faster_whole,
-                          f"{size / 1000:.1f}", f"{peak:.0f}"])
-    return tables.table(["scene", "program", "ms a frame", "times faster", "at least", "aim",
+            frame, whole, size, peak = (statistics.median(figures_of(rows, scene, name, key)) for key in
+                                        ("frame_ms", "with_start_ms", "mean_bytes", "peak_megabytes"))
+            with_peer = name != "llvmpipe" and "llvmpipe" in names
+            *compared, compared_whole = beside_peer(rows, scene, name) if with_peer else [""] * 5
+            lines.append([scene, name, f"{frame:.2f}", *compared, f"{whole:.2f}", compared_whole, f"{size / 1000:.1f}",
+                          f"{peak:.0f}"])
+    return tables.table(["scene", "program", "ms a frame", "times faster", "at least", "aim", "lowest to highest round",
                          "ms a frame with start and end", "times faster", "kB a file", "peak memory, MB"], lines)
 
 

@@ -7,7 +7,8 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from lib import growth_checks, kernels, machine, memory, pictures, plot, processes, scaling, series, stages, tables  # noqa: E402
+from lib import (growth_checks, job, kernels, machine, memory, pictures, plot, processes, scaling, stages,  # noqa: E402
+                 tables)
 
 
 def picture(**changes):
@@ -88,6 +89,15 @@ class Growth(unittest.TestCase):
                 {**base, "scene": "crowd_in_view", "curve": "b", **picture(covered=1)}]
         with self.assertRaisesRegex(SystemExit, "different pictures"):
             scaling.check_pictures(rows)
+
+
+class Job(unittest.TestCase):
+    def test_beside_the_peer(self):
+        rows = [{"scene": "morph", "program": name, "frame_ms": frame, "with_start_ms": whole}
+                for name, frame, whole in (("morphcl", 2.0, 4.0), ("llvmpipe", 20.0, 30.0), ("morphcl", 4.0, 4.0),
+                                           ("llvmpipe", 24.0, 30.0), ("morphcl", 4.0, 4.0), ("llvmpipe", 32.0, 20.0))]
+        self.assertEqual(job.beside_peer(rows, "morph", "morphcl"),
+                         ["**6.0**", *job.GOALS["morph"], "6.0 to 10.0", "7.5"])
 
 
 class Figures(unittest.TestCase):
