@@ -28,14 +28,8 @@ def measure_scene(number, scene, programs, options):
     names = list(programs.drawing())
     reports = {}
     for name in names if number % 2 else reversed(names):
-        report = measure(programs.drawing()[name], scene, options)
-        if report is not None:
-            reports[name] = report
-        elif name == "morphcl":
-            sys.exit("morphcl has no OpenCL device")
-        else:
-            programs.leave_out(name)
-    return {name: reports[name] for name in names if name in reports}
+        reports[name] = measure(programs.drawing()[name], scene, options)
+    return {name: reports[name] for name in names}
 
 
 def median(rows, scene, program, key="frame_ms"):
@@ -88,5 +82,5 @@ def run(programs, options):
     foot = [f"- {options.threads} threads each; {rounds} rounds, the programs in turn in each",
             *(f"- {name}: {renderer}" for name, renderer in renderers.items())]
     tables.write_page(options.results / "draw.md", "Time to draw a frame",
-                      "Milliseconds from the frame number to pixels in host memory, medians; written by `bench/run draw`. "
-                      "What is measured and how to read it: [README](../README.md).", body, foot, load)
+                      "Milliseconds from the frame number to pixels in host memory, medians; written by `bench/run "
+                      "draw`. What is measured and how to read it: [README](../README.md).", body, foot, load)

@@ -9,7 +9,7 @@ STRAIGHT = 0.1  # how far a point may be from the straight line, as a share of i
 
 
 def spread_each(points, lowest, highest, base=0.0):
-    """Largest over smallest (time - base) / x of the points with x from `lowest` to `highest`; None for less than two."""
+    """Largest over smallest (time - base) / x of the points whose x is in the range; None for fewer than two."""
     each = [(y - base) / x for x, y in points if lowest <= x <= highest]
     return max(each) / min(each) if len(each) > 1 else None
 

@@ -104,10 +104,10 @@ def run(programs, options):
     tables.write_page(
         options.results / "job.md", "Time of a whole job",
         f"`morphcl render` writes {frames} at 1920 × 1080 as ZIP-compressed EXR; written by `bench/run job`. The first "
-        "figure runs from the first complete file to the last; the second from before the process is started to its end. "
-        "What is measured and how to read it: [README](../README.md).",
+        "figure runs from the first complete file to the last; the second from before the process is started to its "
+        "end. What is measured and how to read it: [README](../README.md).",
         table(rows, FRAMES, names) + ["", *programs.missing()],
         [f"- morphcl: half RGBA, and with float Z; one process, {options.threads} threads",
-         f"- llvmpipe: half RGBA, OpenEXR at zlib level 1; {options.threads} processes of one thread that take the frames "
-         "in turn; peak memory of all together",
+         f"- llvmpipe: half RGBA, OpenEXR at zlib level 1; {options.threads} processes of one thread that take the "
+         "frames in turn; peak memory of all together",
          f"- medians of {rounds} rounds, the programs in turn in each; files in a file system in memory"], load)

@@ -6,7 +6,8 @@ import sys
 
 from lib import processes, programs as programs_module, tables
 
-COLUMNS = ["program", "benchmark", "median_ns", "deviation_percent", "gigabytes_per_second", "items_per_second", "label"]
+COLUMNS = ["program", "benchmark", "median_ns", "deviation_percent", "gigabytes_per_second", "items_per_second",
+           "label"]
 UNIT_NS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 
@@ -67,4 +68,5 @@ def run(programs, options):
     tables.write_page(options.results / "kernels.md", "Single kernels and stages",
                       "By Google Benchmark; written by `bench/run kernels`. What is measured and how to read it: "
                       "[README](../README.md).", body,
-                      [f"- {repetitions} repetitions each, in random order; deviation: standard deviation / mean"], load)
+                      [f"- {repetitions} repetitions each, in random order; deviation: standard deviation / mean"],
+                      load)

@@ -5,7 +5,8 @@ from lib import tables
 INTRODUCTION = (
     "At least: the bytes that the stage cannot do without, read and written once, at the bandwidth that was measured "
     "beside it. A stage near this is as fast as the memory; one far above it computes, or waits for what it reads here "
-    "and there; more than 100 % has found in a cache what it reads. Scenes whose objects are partly out of view are left out, as what is drawn of them is not counted.")
+    "and there; more than 100 % has found in a cache what it reads. Scenes whose objects are partly out of view are "
+    "left out, as what is drawn of them is not counted.")
 # Bytes of one item.
 POSITION = NORMAL = 12  # three floats, of every state that is mixed
 VERTEX = ATTRIBUTES = 16  # a projected vertex; its normal

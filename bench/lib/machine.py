@@ -43,6 +43,6 @@ def commit():
 
 def lines(load_before):
     """For the foot of a page, as Markdown list items."""
-    return [f"- machine: {processor_name()}, {processors()} processors, Linux {os.uname().release}; load average before "
-            f"the first round {load_before:.1f}; {'' if is_ahead() else 'not '}run ahead of other programs",
+    return [f"- machine: {processor_name()}, {processors()} processors, Linux {os.uname().release}; load average "
+            f"before the first round {load_before:.1f}; {'' if is_ahead() else 'not '}run ahead of other programs",
             f"- commit {commit()}"]

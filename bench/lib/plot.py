@@ -29,7 +29,8 @@ def lines(path, title, x_label, y_label, curves, *, log_x=True, log_y=True, tick
     else:
         script.append("set yrange [0:*]")
     if ticks:
-        script += ["set format x '%g'", f"set xtics ({', '.join(f'{quoted(label)} {x}' for x, label in ticks.items())})"]
+        places = ", ".join(f"{quoted(label)} {x}" for x, label in ticks.items())
+        script += ["set format x '%g'", f"set xtics ({places})"]
     for index, points in enumerate(curves.values()):
         script += [f"$curve{index} << EOD", *(f"{x} {y}" for x, y in points), "EOD"]
     script.append("plot " + ", ".join(f"$curve{index} using 1:2 {style} title {quoted(label)}"

@@ -25,15 +25,17 @@ def output(command, environment=None):
 
 
 def report(command, environment=None):
-    """The JSON line that a drawing program prints last, or None when it has nothing to draw with. Any other failure
-    ends this process."""
-    done = completed(command, environment)
-    if done.returncode == NO_DEVICE:
-        print(done.stderr.strip(), file=sys.stderr)
-        return None
-    if done.returncode != 0:
-        sys.exit(f"{command[0]}: {done.stderr.strip()}")
-    return json.loads(done.stdout.splitlines()[-1])
+    """The JSON line that a drawing program prints last. A failure ends this process."""
+    return json.loads(output(command, environment).splitlines()[-1])
+
+
+def has_device(program):
+    """Whether a drawing program finds something to draw with. Any other failure ends this process."""
+    done = completed([program, "morph", "--frames", 1, "--size", "16x16"], None)
+    if done.returncode not in (0, NO_DEVICE):
+        sys.exit(f"{program}: {done.stderr.strip()}")
+    print(done.stderr, end="", file=sys.stderr)
+    return done.returncode == 0
 
 
 @dataclasses.dataclass

@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-from lib import machine
+from lib import machine, processes
 
 # Name -> cmake target, path in the build folder.
 NEEDED = {
@@ -37,9 +37,6 @@ class Programs:
         """Programs that draw scenes, by the name of their figures: morphcl first."""
         return {"morphcl": self.paths["draw"], **{name: self.paths[name] for name in PEERS if name in self.paths}}
 
-    def leave_out(self, name):
-        self.paths.pop(name, None)
-
     def missing(self):
         """Markdown lines that name the peers that are left out."""
         return [f"Left out, as it could not be built or found nothing to draw with: {name} (Debian packages: "
@@ -63,7 +60,9 @@ def build(folder):
     known = known_targets(folder)
     wanted = {**NEEDED, **{name: (target, path) for name, (target, path, _) in PEERS.items() if target in known}}
     build_targets(folder, [target for target, _ in wanted.values()])
-    return Programs(folder, {name: folder / path for name, (_, path) in wanted.items()})
+    paths = {name: folder / path for name, (_, path) in wanted.items()}
+    idle = [name for name in PEERS if name in paths and not processes.has_device(paths[name])]
+    return Programs(folder, {name: path for name, path in paths.items() if name not in idle})
 
 
 def build_kernel_benches(folder):

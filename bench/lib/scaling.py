@@ -20,8 +20,6 @@ def measure(programs, wanted, rounds):
         for part in wanted:
             for point in part.points:
                 report = processes.report([programs.drawing()[point.program], *point.arguments])
-                if report is None:
-                    sys.exit(f"{point.program} has nothing to draw with; leave the part scaling out")
                 rows.append({"round": number, "series": part.name, "curve": point.curve, "x": point.x, **report})
             print(f"round {number}/{rounds}  {part.name}", file=sys.stderr)
     return rows
@@ -79,9 +77,9 @@ def write_plots(wanted, rows, grown, folder):
         top = max(x for x, _ in growth.points)
         line = [(x / 1e6, growth.megabytes_at_0 + growth.bytes_each / 2**20 * x) for x in (0, top)]
         fit = f"{growth.megabytes_at_0:.0f} MB + {growth.bytes_each:.0f} bytes each"
-        plot.lines(folder / f"memory_{growth.name}.svg", f"Peak memory over {growth.axis}", f"million {growth.axis}", "MB",
-                   {"morphcl render": [(x / 1e6, y) for x, y in growth.points], fit: line}, log_x=False, log_y=False,
-                   fits=[fit])
+        plot.lines(folder / f"memory_{growth.name}.svg", f"Peak memory over {growth.axis}", f"million {growth.axis}",
+                   "MB", {"morphcl render": [(x / 1e6, y) for x, y in growth.points], fit: line}, log_x=False,
+                   log_y=False, fits=[fit])
 
 
 def memory_table(grown):
@@ -121,7 +119,7 @@ def run(programs, options):
     body += ["", *memory_table(grown), "", *programs.missing()]
     body += [] if pictured else [f"No plots: gnuplot is missing (Debian package {plot.PACKAGES})."]
     tables.write_page(options.results / "scaling.md", "How time and memory grow",
-                      "Milliseconds from the frame number to pixels in host memory; written by `bench/run scaling`. What "
-                      "is measured and how to read it: [README](../README.md).", body,
+                      "Milliseconds from the frame number to pixels in host memory; written by `bench/run scaling`. "
+                      "What is measured and how to read it: [README](../README.md).", body,
                       [f"- medians of {rounds} rounds through all series; {options.threads} threads but where they "
                        "are what grows; 1920 × 1080 but where pixels are"], load)

@@ -41,13 +41,15 @@ def table(rows):
     for cache in ("kept", "empty"):
         for scene in SCENES:
             def median(program, key):
-                values = [row[key] for row in rows if (row["program"], row["scene"], row["cache"]) == (program, scene, cache)]
+                values = [row[key] for row in rows
+                          if (row["program"], row["scene"], row["cache"]) == (program, scene, cache)]
                 return f"{statistics.median(values):.0f}" if values else ""
             most, aim = GOALS[cache]
             lines.append([scene, cache, f"**{median('morphcl', 'first_file_ms')}**", most, aim,
-                          median("llvmpipe", "first_file_ms"), median("morphcl", "end_ms"), median("llvmpipe", "end_ms")])
-    return tables.table(["scene", "kernel cache", "morphcl, first file, ms", "at most", "aim", "llvmpipe, first file, ms",
-                         "morphcl, end, ms", "llvmpipe, end, ms"], lines)
+                          median("llvmpipe", "first_file_ms"), median("morphcl", "end_ms"),
+                          median("llvmpipe", "end_ms")])
+    return tables.table(["scene", "kernel cache", "morphcl, first file, ms", "at most", "aim",
+                         "llvmpipe, first file, ms", "morphcl, end, ms", "llvmpipe, end, ms"], lines)
 
 
 def run(programs, options):
@@ -72,12 +74,12 @@ def run(programs, options):
 
     tables.write_csv(options.results / "startup.csv", rows, COLUMNS)
     tables.write_page(options.results / "startup.md", "Start-up",
-                      "Milliseconds from before the process is started to the first complete EXR file of 1920 × 1080 (`wire`: "
-                      "600 × 600), and to the process's end; written by `bench/run startup`. What is measured and how to "
-                      "read it: [README](../README.md).", [*table(rows), "", *programs.missing()],
-                      [f"- {options.threads} threads; medians of {rounds} rounds, the programs in turn in each; files and "
-                       "caches in a file system in memory",
-                       "- kernel cache kept: after `morphcl warm`, and for llvmpipe after a run; empty: nothing compiled "
-                       "before. A run that compiled kernels stores them after its first file",
-                       "- llvmpipe: less the time for making the scene's arrays; half RGBA at zlib level 1, where morphcl "
-                       "writes Z too"], load)
+                      "Milliseconds from before the process is started to the first complete EXR file of 1920 × 1080 "
+                      "(`wire`: 600 × 600), and to the process's end; written by `bench/run startup`. What is measured "
+                      "and how to read it: [README](../README.md).", [*table(rows), "", *programs.missing()],
+                      [f"- {options.threads} threads; medians of {rounds} rounds, the programs in turn in each; files "
+                       "and caches in a file system in memory",
+                       "- kernel cache kept: after `morphcl warm`, and for llvmpipe after a run; empty: nothing "
+                       "compiled before. A run that compiled kernels stores them after its first file",
+                       "- llvmpipe: less the time for making the scene's arrays; half RGBA at zlib level 1, where "
+                       "morphcl writes Z too"], load)

@@ -45,8 +45,13 @@ class Processes(unittest.TestCase):
         with self.assertRaisesRegex(SystemExit, "went wrong"):
             processes.watch([[sys.executable, "-c", "import sys; sys.exit('went wrong')"]])
 
-    def test_no_device_is_no_report(self):
-        self.assertIsNone(processes.report([sys.executable, "-c", "import sys; sys.exit(69)"]))
+    def test_a_peer_without_a_device(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "peer"
+            for status, found in ((0, True), (69, False)):
+                program.write_text(f"#!/bin/sh\nexit {status}\n")
+                program.chmod(0o755)
+                self.assertEqual(processes.has_device(program), found)
 
 
 class Growth(unittest.TestCase):
