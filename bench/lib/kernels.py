@@ -13,7 +13,7 @@ UNIT_NS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 def measure(path, repetitions, quick):
     command = [path, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}",
-               "--benchmark_report_aggregates_only=true", "--benchmark_enable_random_interleaving=true"]
+               "--benchmark_report_aggregates_only=true"]
     if quick:
         command.append("--benchmark_min_time=0.05")
     return rows_of(path.name, json.loads(processes.output(command)))
@@ -68,5 +68,5 @@ def run(programs, options):
     tables.write_page(options.results / "kernels.md", "Single kernels and stages",
                       "By Google Benchmark; written by `bench/run kernels`. What is measured and how to read it: "
                       "[README](../README.md).", body,
-                      [f"- {repetitions} repetitions each, in random order; deviation: standard deviation / mean"],
+                      [f"- {repetitions} repetitions each; deviation: standard deviation / mean"],
                       load)

@@ -35,7 +35,7 @@ def table(stages, reports, bandwidth):
             # Processor time: every thread waits for its share of the bandwidth.
             least = bandwidth["threads"] * (read / bandwidth["read"] + written / bandwidth["fill"]) / 1e6
             took = stages[scene].get(stage, 0.0)
-            if took >= 0.05:  # below, samples are too few
+            if least >= 0.05 and took >= 0.05:  # what moves next to nothing has no such limit; samples are too few
                 lines.append([scene, stage, f"{(read + written) / 1e6:.1f}", f"{least:.2f}", f"{took:.2f}",
                               f"{100 * least / took:.0f} %"])
     return tables.table(["scene", "stage", "MB, at least", "ms, at least", "ms", "of the memory's speed"], lines)

@@ -20,7 +20,7 @@ def output(command, environment=None):
     """What a program prints. A failure ends this process."""
     done = completed(command, environment)
     if done.returncode != 0:
-        sys.exit(f"{command[0]}: {done.stderr.strip()}")
+        sys.exit(f"{command[0]}: {done.stderr.strip() or f'exit status {done.returncode}'}")
     return done.stdout
 
 

@@ -67,8 +67,7 @@ def build(folder):
 
 def build_kernel_benches(folder):
     """Builds and returns the programs of bench/kernels, none where there is no Google Benchmark."""
-    targets = sorted(target.removeprefix(f"{KERNEL_BENCHES}/") for target in known_targets(folder)
-                     if target.startswith(f"{KERNEL_BENCHES}/morphcl_bench_") and "." not in target)
+    targets = (folder / "bench" / "kernel_programs.txt").read_text().split()
     if targets:
         build_targets(folder, targets)
     return [folder / KERNEL_BENCHES / target for target in targets]
