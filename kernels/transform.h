@@ -18,9 +18,10 @@
 // Out: likewise; the same memory as the input is allowed, other overlap is not. A vertex that asks for a matrix past
 //      the last one becomes NaN, and *bad_index 1.
 // Steps of a block of 16: load and transpose to one vector a coordinate; multiply; divide or normalise; store.
-// Work-item i does the vertices from i * vertices_per_item on, a multiple of 16, so that only the last block of all can
-// be a partial one, whose missing lanes are neither read nor written. past_cache: not 0 if aligned results should
-// bypass the cache. host/batch/transform_reference.cpp is the same arithmetic in plain loops.
+// A work-item does `runs` runs of run_length vertices that follow each other, a block of each in turn: that many
+// streams keep the memory busy where one array alone would not. run_length is a multiple of 16, so that only the last
+// block of all can be a partial one, whose missing lanes are neither read nor written. past_cache: not 0 if aligned
+// results should bypass the cache. host/batch/transform_reference.cpp is the same arithmetic in plain loops.
 
 #ifndef MORPHCL_TRANSFORM_H
 #define MORPHCL_TRANSFORM_H
@@ -97,6 +98,17 @@ ALWAYS_INLINE Vertices after_multiplying(Homogeneous q, Vertices v, uint kind) {
   return kind == TRANSFORM_NORMALS ? normalize_vertices(v) : v;
 }
 
+// Missing lanes are 0.
+#define LOAD_LANES(NAME, scalar)                                           \
+  ALWAYS_INLINE scalar##16 NAME(global const scalar* values, long lanes) { \
+    if (lanes >= 16) return vload16(0, values);                            \
+    scalar padded[16] = {0};                                               \
+    for (long lane = 0; lane < lanes; ++lane) padded[lane] = values[lane]; \
+    return vload16(0, padded);                                             \
+  }
+LOAD_LANES(load_uints, uint)
+LOAD_LANES(load_ulongs, ulong)
+
 // ---- matrices ----
 
 ALWAYS_INLINE Row same_row(real4 row) {
@@ -110,23 +122,22 @@ ALWAYS_INLINE Matrices same_matrix(global const real4* rows, uint kind) {
   return m;
 }
 
-#define FOUR_ROWS(a, b, c, d) (real16)(rows[at.s##a], rows[at.s##b], rows[at.s##c], rows[at.s##d])
+#define FOUR_ROWS(a, b, c, d) (real16)(rows[at.lane[a]], rows[at.lane[b]], rows[at.lane[c]], rows[at.lane[d]])
 
 // Rows are fetched whole and transposed, which is several times faster than a gather for each of the factors.
-ALWAYS_INLINE Row gather_row(global const real4* rows, uint16 at) {
-  const real16 a = FOUR_ROWS(0, 1, 2, 3), b = FOUR_ROWS(4, 5, 6, 7);
-  const real16 c = FOUR_ROWS(8, 9, a, b), d = FOUR_ROWS(c, d, e, f);
-  return fields_of_4(a, b, c, d);
+ALWAYS_INLINE Row gather_row(global const real4* rows, Lanes at) {
+  const Records r = {FOUR_ROWS(0, 1, 2, 3), FOUR_ROWS(4, 5, 6, 7), FOUR_ROWS(8, 9, 10, 11), FOUR_ROWS(12, 13, 14, 15)};
+  return fields_of_4(r);
 }
 
 ALWAYS_INLINE Matrices gather_matrices(global const real4* rows, uint16 index, uint kind) {
-  const uint16 first = index * (uint16)(kind == TRANSFORM_PROJECTIVE ? 4 : 3);
+  const Lanes first = lanes_of(index * (uint16)(kind == TRANSFORM_PROJECTIVE ? 4 : 3));
   Matrices m;
   m.x = gather_row(rows, first);
-  m.y = gather_row(rows, first + (uint16)(1));
-  m.z = gather_row(rows, first + (uint16)(2));
+  m.y = gather_row(rows + 1, first);
+  m.z = gather_row(rows + 2, first);
   m.w = m.z;
-  if (kind == TRANSFORM_PROJECTIVE) m.w = gather_row(rows, first + (uint16)(3));
+  if (kind == TRANSFORM_PROJECTIVE) m.w = gather_row(rows + 3, first);
   return m;
 }
 
@@ -165,10 +176,10 @@ ALWAYS_INLINE Homogeneous add_weighted(Homogeneous sum, real16 weight, Homogeneo
 }
 
 ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_count, uint kind, Vertices v,
-                                         global const ulong* influence, Source weights, ulong at, long lanes,
-                                         global uint* bad_index) {
+                                         global const ulong* influence, global const real* weights, ulong at,
+                                         long lanes, global uint* bad_index) {
   const ulong16 asked = load_ulongs(influence + at, lanes);
-  const Vertices weight = load_xyzw(weights, at, lanes);
+  const Vertices weight = fields_of_4(load_records(weights + 4 * at, 4, lanes));
   const real16 weight_of[4] = {weight.x, weight.y, weight.z, weight.w};
 
   // -0 is the sum of nothing: adding the first product to it changes no bit of that.
@@ -186,60 +197,65 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
 
 // ---- kernels ----
 
-#define ARRAYS                                                                                              \
+// Each layout: parameters, their names, and the two as structs.
+#define ARRAYS_PARAMETERS                                                                                   \
   global const real *x, global const real *y, global const real *z, global real *out_x, global real *out_y, \
       global real *out_z
+#define ARRAYS_NAMES x, y, z, out_x, out_y, out_z
 #define ARRAYS_SOURCE \
   { x, y, z }
 #define ARRAYS_TARGET \
   { out_x, out_y, out_z, past_cache != 0 && is_cache_line(out_x) && is_cache_line(out_y) && is_cache_line(out_z) }
 
-#define RECORDS global const real *records, global real *out
+#define RECORDS_PARAMETERS global const real *records, global real *out
+#define RECORDS_NAMES records, out
 #define RECORDS_SOURCE \
   { records, 0, 0 }
 #define RECORDS_TARGET \
   { out, 0, 0, past_cache != 0 && is_cache_line(out) }
 
-#define SHARE ulong count, ulong vertices_per_item, uint past_cache
-#define FOR_EACH_BLOCK(at)                                                                               \
-  const ulong begin = get_global_id(0) * vertices_per_item, end = min(begin + vertices_per_item, count); \
-  for (ulong at = begin; at < end; at += 16)
+// Each way to choose matrices: parameters, their names, and what becomes of a block v.
+#define ONE_PARAMETERS
+#define ONE_NAMES
+#define ONE_TRANSFORM(v) transform_same(same_matrix(rows, kind), kind, v)
 
-#define TRANSFORM_KERNELS(LAYOUT, VERTICES)                                                                            \
-  kernel void transform_##LAYOUT(global const real4* rows, uint kind, VERTICES, SHARE) {                               \
-    const Source in = VERTICES##_SOURCE;                                                                               \
-    const Target to = VERTICES##_TARGET;                                                                               \
-    const Matrices matrix = same_matrix(rows, kind);                                                                   \
-    FOR_EACH_BLOCK(at) {                                                                                               \
-      const long lanes = end - at;                                                                                     \
-      store_##LAYOUT(transform_same(matrix, kind, load_##LAYOUT(in, at, lanes)), to, at, lanes);                       \
-    }                                                                                                                  \
-  }                                                                                                                    \
-  kernel void transform_##LAYOUT##_by_index(global const real4* rows, uint kind, uint matrix_count,                    \
-                                            global uint* bad_index, global const uint* index, VERTICES, SHARE) {       \
-    const Source in = VERTICES##_SOURCE;                                                                               \
-    const Target to = VERTICES##_TARGET;                                                                               \
-    FOR_EACH_BLOCK(at) {                                                                                               \
-      const long lanes = end - at;                                                                                     \
-      const Vertices v = load_##LAYOUT(in, at, lanes);                                                                 \
-      store_##LAYOUT(transform_indexed(rows, matrix_count, kind, v, index + at, lanes, bad_index), to, at, lanes);     \
-    }                                                                                                                  \
-  }                                                                                                                    \
-  kernel void transform_##LAYOUT##_blended(global const real4* rows, uint kind, uint matrix_count,                     \
-                                           global uint* bad_index, global const ulong* influence,                      \
-                                           global const real* weight, VERTICES, SHARE) {                               \
-    const Source in = VERTICES##_SOURCE, weights = {weight, 0, 0};                                                     \
-    const Target to = VERTICES##_TARGET;                                                                               \
-    FOR_EACH_BLOCK(at) {                                                                                               \
-      const long lanes = end - at;                                                                                     \
-      const Vertices v = load_##LAYOUT(in, at, lanes);                                                                 \
-      store_##LAYOUT(transform_blended(rows, matrix_count, kind, v, influence, weights, at, lanes, bad_index), to, at, \
-                     lanes);                                                                                           \
-    }                                                                                                                  \
+#define INDEX_PARAMETERS uint matrix_count, global uint *bad_index, global const uint *restrict index,
+#define INDEX_NAMES matrix_count, bad_index, index,
+#define INDEX_TRANSFORM(v) transform_indexed(rows, matrix_count, kind, v, index + at, lanes, bad_index)
+
+#define BLEND_PARAMETERS \
+  uint matrix_count, global uint *bad_index, global const ulong *restrict influence, global const real *restrict weight,
+#define BLEND_NAMES matrix_count, bad_index, influence, weight,
+#define BLEND_TRANSFORM(v) transform_blended(rows, matrix_count, kind, v, influence, weight, at, lanes, bad_index)
+
+#define TRANSFORM_KERNEL(NAME, LAYOUT, VERTICES, CHOICE)                                                        \
+  COMPILED_ONCE void NAME##_of_item(ulong item, global const real4* restrict rows, uint kind,                   \
+                                    CHOICE##_PARAMETERS VERTICES##_PARAMETERS, ulong count, ulong run_length,   \
+                                    uint runs, uint past_cache) {                                               \
+    const Source in = VERTICES##_SOURCE;                                                                        \
+    const Target to = VERTICES##_TARGET;                                                                        \
+    const ulong begin = item * run_length * runs, end = min(begin + run_length * runs, count);                  \
+    for (ulong done = 0; done < run_length; done += 16)                                                         \
+      for (ulong at = begin + done; at < end; at += run_length) {                                               \
+        const long lanes = count - at;                                                                          \
+        const Vertices v = load_##LAYOUT(in, at, lanes);                                                        \
+        store_##LAYOUT(CHOICE##_TRANSFORM(v), to, at, lanes);                                                   \
+      }                                                                                                         \
+  }                                                                                                             \
+  kernel void NAME(global const real4* rows, uint kind, CHOICE##_PARAMETERS VERTICES##_PARAMETERS, ulong count, \
+                   ulong run_length, uint runs, uint past_cache) {                                              \
+    NAME##_of_item(get_global_id(0), rows, kind, CHOICE##_NAMES VERTICES##_NAMES, count, run_length, runs,      \
+                   past_cache);                                                                                 \
   }
 
-TRANSFORM_KERNELS(separate, ARRAYS)
-TRANSFORM_KERNELS(xyz, RECORDS)
-TRANSFORM_KERNELS(xyzw, RECORDS)
+TRANSFORM_KERNEL(transform_separate, separate, ARRAYS, ONE)
+TRANSFORM_KERNEL(transform_separate_by_index, separate, ARRAYS, INDEX)
+TRANSFORM_KERNEL(transform_separate_blended, separate, ARRAYS, BLEND)
+TRANSFORM_KERNEL(transform_xyz, xyz, RECORDS, ONE)
+TRANSFORM_KERNEL(transform_xyz_by_index, xyz, RECORDS, INDEX)
+TRANSFORM_KERNEL(transform_xyz_blended, xyz, RECORDS, BLEND)
+TRANSFORM_KERNEL(transform_xyzw, xyzw, RECORDS, ONE)
+TRANSFORM_KERNEL(transform_xyzw_by_index, xyzw, RECORDS, INDEX)
+TRANSFORM_KERNEL(transform_xyzw_blended, xyzw, RECORDS, BLEND)
 
 #endif

@@ -15,6 +15,10 @@ typedef struct {
 } Vertices;
 
 typedef struct {
+  real16 a, b, c, d;  // d: of records of four
+} Records;            // sixteen, as they lie
+
+typedef struct {
   global const real *x, *y, *z;  // records: x alone
 } Source;
 
@@ -23,17 +27,9 @@ typedef struct {
   bool past_cache;
 } Target;
 
-// Missing lanes are 0.
-#define LOAD_LANES(NAME, scalar)                                           \
-  ALWAYS_INLINE scalar##16 NAME(global const scalar* values, long lanes) { \
-    if (lanes >= 16) return vload16(0, values);                            \
-    scalar padded[16] = {0};                                               \
-    for (long lane = 0; lane < lanes; ++lane) padded[lane] = values[lane]; \
-    return vload16(0, padded);                                             \
-  }
-LOAD_LANES(load_reals, real)
-LOAD_LANES(load_uints, uint)
-LOAD_LANES(load_ulongs, ulong)
+// ---- stores past the cache ----
+
+ALWAYS_INLINE bool is_cache_line(global const real* values) { return ((size_t)values & 63) == 0; }
 
 // In cache lines, so that 64 bytes of alignment are enough for both precisions.
 ALWAYS_INLINE void store_past_cache(real16 value, global real* values) {
@@ -45,20 +41,117 @@ ALWAYS_INLINE void store_past_cache(real16 value, global real* values) {
 #endif
 }
 
-ALWAYS_INLINE void store_lanes(real16 value, global real* values, long lanes, bool past_cache) {
+// ---- separate arrays ----
+
+ALWAYS_INLINE Vertices load_separate(Source in, ulong at, long lanes) {
+  Vertices v;
   if (lanes >= 16) {
-    if (past_cache)
-      store_past_cache(value, values);
-    else
-      vstore16(value, 0, values);
-    return;
+    v.x = vload16(0, in.x + at);
+    v.y = vload16(0, in.y + at);
+    v.z = vload16(0, in.z + at);
+    return v;
   }
-  real padded[16];
-  vstore16(value, 0, padded);
-  for (long lane = 0; lane < lanes; ++lane) values[lane] = padded[lane];
+  real x[16] = {0}, y[16] = {0}, z[16] = {0};
+  for (long lane = 0; lane < lanes; ++lane) {
+    x[lane] = in.x[at + lane];
+    y[lane] = in.y[at + lane];
+    z[lane] = in.z[at + lane];
+  }
+  v.x = vload16(0, x);
+  v.y = vload16(0, y);
+  v.z = vload16(0, z);
+  return v;
 }
 
-ALWAYS_INLINE bool is_cache_line(global const real* values) { return ((size_t)values & 63) == 0; }
+ALWAYS_INLINE void store_separate(Vertices v, Target out, ulong at, long lanes) {
+  if (lanes >= 16 && out.past_cache) {
+    store_past_cache(v.x, out.x + at);
+    store_past_cache(v.y, out.y + at);
+    store_past_cache(v.z, out.z + at);
+  } else if (lanes >= 16) {
+    vstore16(v.x, 0, out.x + at);
+    vstore16(v.y, 0, out.y + at);
+    vstore16(v.z, 0, out.z + at);
+  } else {
+    real x[16], y[16], z[16];
+    vstore16(v.x, 0, x);
+    vstore16(v.y, 0, y);
+    vstore16(v.z, 0, z);
+    for (long lane = 0; lane < lanes; ++lane) {
+      out.x[at + lane] = x[lane];
+      out.y[at + lane] = y[lane];
+      out.z[at + lane] = z[lane];
+    }
+  }
+}
+
+// ---- records ----
+
+ALWAYS_INLINE Records load_records(global const real* records, long fields, long lanes) {
+  Records r;
+  if (lanes >= 16) {
+    r.a = vload16(0, records);
+    r.b = vload16(1, records);
+    r.c = vload16(2, records);
+    if (fields == 4) r.d = vload16(3, records);
+    return r;
+  }
+  real padded[64] = {0};
+  for (long i = 0; i < fields * lanes; ++i) padded[i] = records[i];
+  r.a = vload16(0, padded);
+  r.b = vload16(1, padded);
+  r.c = vload16(2, padded);
+  r.d = vload16(3, padded);
+  return r;
+}
+
+ALWAYS_INLINE void store_records_of(long fields, Records r, global real* records, long lanes, bool past_cache) {
+  if (lanes >= 16 && past_cache) {
+    store_past_cache(r.a, records);
+    store_past_cache(r.b, records + 16);
+    store_past_cache(r.c, records + 32);
+    if (fields == 4) store_past_cache(r.d, records + 48);
+  } else if (lanes >= 16) {
+    vstore16(r.a, 0, records);
+    vstore16(r.b, 1, records);
+    vstore16(r.c, 2, records);
+    if (fields == 4) vstore16(r.d, 3, records);
+  } else {
+    real padded[64];
+    vstore16(r.a, 0, padded);
+    vstore16(r.b, 1, padded);
+    vstore16(r.c, 2, padded);
+    if (fields == 4) vstore16(r.d, 3, padded);
+    for (long i = 0; i < fields * lanes; ++i) records[i] = padded[i];
+  }
+}
+
+// Lanes 0, 3, 6 and so on of the first, 1, 4, 7 of the second and 2, 5, 8 of the third.
+ALWAYS_INLINE real16 by_thirds(real16 first, real16 second, real16 third) {
+  const bits16 is_first = {-1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1};
+  const bits16 is_second = {0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0};
+  return is_first ? first : is_second ? second : third;
+}
+
+// Sixteen records of three fill three vectors. A lane is x in exactly one of these, y in another and z in the third:
+// x of record i is in lane 3 i mod 16, y and z in the next ones.
+ALWAYS_INLINE Vertices load_xyz(Source in, ulong at, long lanes) {
+  const Records r = load_records(in.x + 3 * at, 3, lanes);
+  Vertices v;
+  v.x = by_thirds(r.a, r.c, r.b).s0369cf258be147ad;
+  v.y = by_thirds(r.b, r.a, r.c).s147ad0369cf258be;
+  v.z = by_thirds(r.c, r.b, r.a).s258be147ad0369cf;
+  return v;
+}
+
+ALWAYS_INLINE void store_xyz(Vertices v, Target out, ulong at, long lanes) {
+  const real16 x = v.x.s0b61c72d83e94fa5, y = v.y.s50b61c72d83e94fa, z = v.z.sa50b61c72d83e94f;
+  Records r;
+  r.a = by_thirds(x, y, z);
+  r.b = by_thirds(y, z, x);
+  r.c = by_thirds(z, x, y);
+  store_records_of(3, r, out.x + 3 * at, lanes, out.past_cache);
+}
 
 // Any lanes of two vectors, 0 to 15 of the first and 16 to 31 of the second. Swizzles that are put together say the
 // same, but take a compiler for CPUs several instructions for each.
@@ -73,9 +166,9 @@ ALWAYS_INLINE bool is_cache_line(global const real* values) { return ((size_t)va
 #define UPPER_HALVES 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31
 
 // Sixteen records of four fields, four in each vector, as one vector a field.
-ALWAYS_INLINE Vertices fields_of_4(real16 a, real16 b, real16 c, real16 d) {
-  const real16 xy_ab = SHUFFLE_2(a, b, EVEN_PAIRS), zw_ab = SHUFFLE_2(a, b, ODD_PAIRS);
-  const real16 xy_cd = SHUFFLE_2(c, d, EVEN_PAIRS), zw_cd = SHUFFLE_2(c, d, ODD_PAIRS);
+ALWAYS_INLINE Vertices fields_of_4(Records r) {
+  const real16 xy_ab = SHUFFLE_2(r.a, r.b, EVEN_PAIRS), zw_ab = SHUFFLE_2(r.a, r.b, ODD_PAIRS);
+  const real16 xy_cd = SHUFFLE_2(r.c, r.d, EVEN_PAIRS), zw_cd = SHUFFLE_2(r.c, r.d, ODD_PAIRS);
   Vertices v;
   v.x = SHUFFLE_2(xy_ab, xy_cd, LOWER_HALVES);
   v.y = SHUFFLE_2(xy_ab, xy_cd, UPPER_HALVES);
@@ -84,70 +177,28 @@ ALWAYS_INLINE Vertices fields_of_4(real16 a, real16 b, real16 c, real16 d) {
   return v;
 }
 
-ALWAYS_INLINE Vertices load_separate(Source in, ulong at, long lanes) {
-  Vertices v;
-  v.x = load_reals(in.x + at, lanes);
-  v.y = load_reals(in.y + at, lanes);
-  v.z = load_reals(in.z + at, lanes);
-  return v;
-}
-
-// Lanes 0, 3, 6 and so on of the first, 1, 4, 7 of the second and 2, 5, 8 of the third.
-ALWAYS_INLINE real16 by_thirds(real16 first, real16 second, real16 third) {
-  const bits16 is_first = {-1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1};
-  const bits16 is_second = {0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0};
-  return is_first ? first : is_second ? second : third;
-}
-
-// Sixteen records of three fill three vectors. A lane is x in exactly one of these, y in another and z in the third:
-// x of record i is in lane 3 i mod 16, y and z in the next ones.
-ALWAYS_INLINE Vertices load_xyz(Source in, ulong at, long lanes) {
-  global const real* records = in.x + 3 * at;
-  const real16 a = load_reals(records, 3 * lanes);
-  const real16 b = load_reals(records + 16, 3 * lanes - 16);
-  const real16 c = load_reals(records + 32, 3 * lanes - 32);
-  Vertices v;
-  v.x = by_thirds(a, c, b).s0369cf258be147ad;
-  v.y = by_thirds(b, a, c).s147ad0369cf258be;
-  v.z = by_thirds(c, b, a).s258be147ad0369cf;
-  return v;
-}
-
-ALWAYS_INLINE Vertices load_xyzw(Source in, ulong at, long lanes) {
-  global const real* records = in.x + 4 * at;
-  return fields_of_4(load_reals(records, 4 * lanes), load_reals(records + 16, 4 * lanes - 16),
-                     load_reals(records + 32, 4 * lanes - 32), load_reals(records + 48, 4 * lanes - 48));
-}
-
-ALWAYS_INLINE void store_separate(Vertices v, Target out, ulong at, long lanes) {
-  store_lanes(v.x, out.x + at, lanes, out.past_cache);
-  store_lanes(v.y, out.y + at, lanes, out.past_cache);
-  store_lanes(v.z, out.z + at, lanes, out.past_cache);
-}
-
-ALWAYS_INLINE void store_xyz(Vertices v, Target out, ulong at, long lanes) {
-  global real* records = out.x + 3 * at;
-  const real16 x = v.x.s0b61c72d83e94fa5, y = v.y.s50b61c72d83e94fa, z = v.z.sa50b61c72d83e94f;
-  store_lanes(by_thirds(x, y, z), records, 3 * lanes, out.past_cache);
-  store_lanes(by_thirds(y, z, x), records + 16, 3 * lanes - 16, out.past_cache);
-  store_lanes(by_thirds(z, x, y), records + 32, 3 * lanes - 32, out.past_cache);
-}
-
 #define INTERLEAVE_LOW 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
 #define INTERLEAVE_HIGH 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
 #define PAIRS_LOW 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23
 #define PAIRS_HIGH 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31
 
-ALWAYS_INLINE void store_xyzw(Vertices v, Target out, ulong at, long lanes) {
-  global real* records = out.x + 4 * at;
+ALWAYS_INLINE Records records_of_4(Vertices v) {
   const real16 xy_low = SHUFFLE_2(v.x, v.y, INTERLEAVE_LOW), xy_high = SHUFFLE_2(v.x, v.y, INTERLEAVE_HIGH);
   const real16 zw_low = SHUFFLE_2(v.z, v.w, INTERLEAVE_LOW), zw_high = SHUFFLE_2(v.z, v.w, INTERLEAVE_HIGH);
-  const real16 a = SHUFFLE_2(xy_low, zw_low, PAIRS_LOW), b = SHUFFLE_2(xy_low, zw_low, PAIRS_HIGH);
-  const real16 c = SHUFFLE_2(xy_high, zw_high, PAIRS_LOW), d = SHUFFLE_2(xy_high, zw_high, PAIRS_HIGH);
-  store_lanes(a, records, 4 * lanes, out.past_cache);
-  store_lanes(b, records + 16, 4 * lanes - 16, out.past_cache);
-  store_lanes(c, records + 32, 4 * lanes - 32, out.past_cache);
-  store_lanes(d, records + 48, 4 * lanes - 48, out.past_cache);
+  Records r;
+  r.a = SHUFFLE_2(xy_low, zw_low, PAIRS_LOW);
+  r.b = SHUFFLE_2(xy_low, zw_low, PAIRS_HIGH);
+  r.c = SHUFFLE_2(xy_high, zw_high, PAIRS_LOW);
+  r.d = SHUFFLE_2(xy_high, zw_high, PAIRS_HIGH);
+  return r;
+}
+
+ALWAYS_INLINE Vertices load_xyzw(Source in, ulong at, long lanes) {
+  return fields_of_4(load_records(in.x + 4 * at, 4, lanes));
+}
+
+ALWAYS_INLINE void store_xyzw(Vertices v, Target out, ulong at, long lanes) {
+  store_records_of(4, records_of_4(v), out.x + 4 * at, lanes, out.past_cache);
 }
 
 #endif

@@ -11,10 +11,18 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::size_t lanes = 16;
-// A CPU walks long runs; elsewhere neighbours share a group. Multiples of `lanes`, as the kernels demand.
-constexpr std::size_t vertices_per_cpu_item = 4096;
-constexpr std::size_t group_size_elsewhere = 64;
+// How the vertices are shared out: `runs` runs of `run_length` for each work-item. A multiple of 16, as the kernels
+// demand. A CPU walks long runs, of records four at a time, as its prefetcher brings in more from several streams than
+// from one, and separate arrays are several already; elsewhere neighbours share a group.
+struct Share {
+  std::size_t run_length, runs, group;
+};
+
+Share share_of_item(const DeviceInfo& device, VertexLayout layout) {
+  if (!device.is_cpu) return {16, 1, 64};
+  return layout == VertexLayout::separate ? Share{4096, 1, 1} : Share{1024, 4, 1};
+}
+
 // From here on results leave the cache before they are read again.
 constexpr std::size_t past_cache_bytes = std::size_t{8} << 20;
 
@@ -69,10 +77,9 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
   checked("batch transform", [&] {
     check_vertices(in, count, sizeof(Real), "the vertices");
     check_vertices(out, count, sizeof(Real), "the results");
-    const bool cpu = session.info().is_cpu;
-    const std::size_t per_item = cpu ? vertices_per_cpu_item : lanes, group = cpu ? 1 : group_size_elsewhere;
-    const std::size_t items = (count + per_item - 1) / per_item;
-    const cl::NDRange global((items + group - 1) / group * group), local(group);
+    const Share share = share_of_item(session.info(), in.layout);
+    const std::size_t per_item = share.run_length * share.runs, items = (count + per_item - 1) / per_item;
+    const cl::NDRange global((items + share.group - 1) / share.group * share.group), local(share.group);
     const std::size_t reals = 2 * array_count(out.layout) * reals_per_vertex(out.layout) * count;
     const cl_uint past_cache = reals * sizeof(Real) >= past_cache_bytes;
 
@@ -88,7 +95,7 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
         std::apply(
             [&](const auto&... buffers) {
               launch(session.queue(), kernel, global, local, row_buffer, kind, choosing..., buffers..., cl_ulong{count},
-                     cl_ulong{per_item}, past_cache);
+                     cl_ulong{share.run_length}, static_cast<cl_uint>(share.runs), past_cache);
             },
             vertices);
       });
