@@ -57,13 +57,15 @@ class DeviceRenderer : public Renderer {
     upload_tables();
     set_chunks(constants);
     pools_.guess(constants);
-    bool lacked_room = false;
-    do {
-      make_room(constants);
-      project(constants, plan.keeps_vertices || lacked_room);
+    if (!plan.keeps_vertices) kept_.forget();
+    for (bool projected = false, drawn = false; !drawn;) {
+      projected &= make_room(constants);
+      if (!projected) project(constants);
+      projected = true;
       draw(constants, planes);
-      lacked_room = !finish(constants, planes);
-    } while (lacked_room);
+      drawn = finish(constants, planes);
+    }
+    kept_.remember(tables_);
   }
 
   std::string name() const override { return session_->info().name; }
@@ -125,13 +127,8 @@ class DeviceRenderer : public Renderer {
     return (constants.group_count + layout::groups_per_chunk - 1) / layout::groups_per_chunk;
   }
 
-  // What frames keep from one to the next is lost when it has to move.
-  void ensure_kept(SharedBuffer& buffer, std::size_t bytes) {
-    if (bytes > buffer.capacity()) kept_.forget();
-    buffer.ensure(bytes);
-  }
-
-  void make_room(layout::FrameConstants& constants) {
+  // False when vertices and what belongs to them had to move, and are lost.
+  bool make_room(layout::FrameConstants& constants) {
     constants.fragment_pages = pools_.fragment_pages;
     constants.entry_pages = pools_.entry_pages;
     constants.large_capacity = pools_.large;
@@ -140,6 +137,11 @@ class DeviceRenderer : public Renderer {
                       tiles = static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y;
     const std::size_t records =
         constants.first_clip_vertex + std::size_t{constants.clip_capacity} * layout::clip_vertices;
+    bool stays = true;
+    const auto ensure_kept = [&](SharedBuffer& buffer, std::size_t bytes) {
+      stays &= bytes <= buffer.capacity();
+      buffer.ensure(bytes);
+    };
     ensure_kept(vertices_, records * 16);
     ensure_kept(attributes_,
                 tables_.any_smooth || tables_.any_flat ? std::size_t{constants.first_clip_vertex} * 16 : 16);
@@ -160,11 +162,12 @@ class DeviceRenderer : public Renderer {
     large_.ensure(chunks * pools_.large * sizeof(layout::LargeTriangle));
     status_.ensure(chunks * sizeof(layout::ChunkStatus));
     frame_.update(queue(), &constants, 1);
+    if (!stays) kept_.forget();
+    return stays;
   }
 
   // Vertices and face light of the draws that are not as they were in the frame before.
-  void project(const layout::FrameConstants& constants, bool keeps_vertices) {
-    if (!keeps_vertices) kept_.forget();
+  void project(const layout::FrameConstants& constants) {
     const std::vector<uint> changed = kept_.changed_chunks(tables_);
     const bool faces_changed = tables_.any_flat && kept_.faces_changed(tables_);
     kept_.forget();
@@ -177,7 +180,6 @@ class DeviceRenderer : public Renderer {
       launch(queue(), kernel("light_faces", "light_faces"), cl::NDRange(constants.chunk_count), one, frame_.buffer(),
              draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), attributes_.buffer(),
              face_color_.buffer());
-    kept_.remember(tables_);
   }
 
   // Everything from the vertices to the pixels.

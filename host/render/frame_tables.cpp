@@ -104,10 +104,7 @@ float distance_of(const Draw& draw, const StoredMesh& mesh, bool parallel) {
 }
 
 // Numbers the positions of all blocks, near draws first.
-void order_by_distance(const FramePlan& plan, const MeshStore& meshes, std::vector<layout::DrawConstants>& draws) {
-  std::vector<std::pair<float, uint>> order;
-  for (uint i = 0; i < draws.size(); ++i)
-    order.emplace_back(distance_of(plan.draws[i], meshes.stored(*plan.draws[i].mesh), plan.parallel), i);
+void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<layout::DrawConstants>& draws) {
   std::sort(order.begin(), order.end());
   uint position = 0;
   for (const auto& [distance, draw] : order) {
@@ -129,11 +126,16 @@ std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& dra
 void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables) {
   tables.draws.clear(), tables.targets.clear(), tables.lights.clear();
   tables.any_flat = tables.any_smooth = tables.any_colors = false;
+  std::vector<std::pair<float, uint>> distances;
+  distances.reserve(plan.draws.size());
+  const Mesh* drawn = nullptr;
+  const StoredMesh* mesh = nullptr;
   for (const Draw& draw : plan.draws) {
-    const StoredMesh& mesh = meshes.stored(*draw.mesh);
-    tables.draws.push_back(make_draw_constants(draw, mesh, tables));
+    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
+    tables.draws.push_back(make_draw_constants(draw, *mesh, tables));
     for (const ActiveTarget& active : draw.targets) {
-      const StoredMesh::Target& target = mesh.targets[active.target];
+      const StoredMesh::Target& target = mesh->targets[active.target];
       tables.targets.push_back(
           {active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
     }
@@ -141,7 +143,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
   }
-  order_by_distance(plan, meshes, tables.draws);
+  order_by_distance(distances, tables.draws);
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, row_pitch);
   tables.frame.only_faces = std::all_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) {

@@ -1,6 +1,8 @@
 // Which of the vertices that are on the device from the frame drawn before are those of this frame too.
 #pragma once
 
+#include <utility>
+
 #include "host/render/frame_tables.hpp"
 
 namespace morphcl {
@@ -13,7 +15,8 @@ class KeptVertices {
   // Whether some face's light may differ.
   bool faces_changed(const FrameTables& tables) const;
 
-  void remember(const FrameTables& tables) { drawn_ = tables, known_ = true; }
+  // Takes the tables of the frame that was drawn and leaves older ones, whose memory can be used again.
+  void remember(FrameTables& tables) { std::swap(drawn_, tables), known_ = true; }
   void forget() { known_ = false; }
 
  private:

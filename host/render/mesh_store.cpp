@@ -113,8 +113,12 @@ bool MeshStore::require(const FramePlan& plan) {
     planner_ = plan.planner;
   }
   bool changed = false;
+  const Mesh* last = nullptr;
+  bool last_lines = false;
   for (const Draw& draw : plan.draws) {
     const bool lines = draw.shading == Shading::wireframe;
+    if (draw.mesh == last && lines == last_lines) continue;  // many objects of one mesh follow each other
+    last = draw.mesh, last_lines = lines;
     const auto [entry, added] = wants_edges_.emplace(draw.mesh, lines);
     if (added) order_.push_back(draw.mesh);
     changed |= added || (lines && !entry->second);
