@@ -4,7 +4,7 @@ import os
 import statistics
 import sys
 
-from lib import pictures, processes, tables
+from lib import pictures, plot, processes, tables
 
 SCENES = ["morph", "heavy", "overdraw_btf", "overdraw_ftb", "many", "wire"]
 # How many times faster than llvmpipe: at least, and what is aimed at.
@@ -57,6 +57,13 @@ def compared(rows, scenes, peer):
                          "lowest to highest round", "in processor time"], lines)
 
 
+def write_plot(rows, scenes, peer, path):
+    faster = {scene: median(rows, scene, peer) / median(rows, scene, "morphcl") for scene in scenes}
+    marks = {label: {scene: goals[i] for scene, goals in GOALS.items()} for i, label in enumerate(("at least", "aim"))}
+    plot.bars(path, f"Drawing a frame: how many times faster than {peer}", f"time of {peer} / time of morphcl", faster,
+              marks)
+
+
 def run(programs, options):
     load = os.getloadavg()[0]
     rounds = options.rounds or (2 if options.quick else 5)
@@ -74,6 +81,9 @@ def run(programs, options):
     body = []
     for peer in (name for name in programs.drawing() if name != "morphcl"):
         body += compared(rows, options.scenes, peer) + [""]
+        if plot.available():
+            write_plot(rows, options.scenes, peer, options.results / f"draw_{peer}.svg")
+            body += [f"![Times faster than {peer}](draw_{peer}.svg)", ""]
     if not body:
         body = tables.table(["scene", "size", "morphcl, ms"],
                             [[scene, size_of(rows, scene), f"{median(rows, scene, 'morphcl'):.2f}"]
