@@ -31,9 +31,9 @@ void ProgressBar::close() {
   visible_ = false;
 }
 
-void ProgressBar::advance(bool rendered) {
+void ProgressBar::advance(bool written) {
   ++done_;
-  if (rendered) ++rendered_;
+  if (written) ++written_;
   draw();
 }
 
@@ -45,7 +45,7 @@ void ProgressBar::message(std::string_view line) {
 
 double ProgressBar::frames_per_second() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  return elapsed.count() > 0 ? static_cast<double>(rendered_) / elapsed.count() : 0.0;
+  return elapsed.count() > 0 ? static_cast<double>(written_) / elapsed.count() : 0.0;
 }
 
 double ProgressBar::seconds_left() const {

@@ -27,6 +27,7 @@ int render_command(const RenderOptions& options) {
   job.verify = options.verify;
   job.fingerprint = fingerprint(scene);
   job.plan.leave_out = options.leave_out;
+  job.reuse_equal_frames = options.leave_out;
   job.contact_sheet = options.contact_sheet;
   job.preview = options.preview;
   job.stop = &stop;

@@ -18,7 +18,8 @@ struct RenderOptions {
   bool preview = false;                // a PNG beside each frame
   bool resume = false;
   bool verify = false;
-  bool leave_out = true;  // false: nothing is left out of the frames' plans; the pixels are the same
+  // False: nothing is left out of the frames' plans and no frame is copied from an equal one; the pixels are the same.
+  bool leave_out = true;
   bool json = false;
   bool quiet = false;
 };

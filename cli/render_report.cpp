@@ -18,6 +18,8 @@ const char* status_name(Status status) {
   switch (status) {
     case Status::rendered:
       return "rendered";
+    case Status::copied:
+      return "copied";
     case Status::kept:
       return "kept";
     case Status::failed:
@@ -50,7 +52,7 @@ RenderReport::RenderReport(std::size_t total, Settings settings)
     : total_(total), settings_(std::move(settings)), bar_(total, !settings_.json && !settings_.quiet) {}
 
 void RenderReport::frame(const FrameResult& result) {
-  bar_.advance(result.status == Status::rendered);
+  bar_.advance(result.status == Status::rendered || result.status == Status::copied);
   if (result.status == Status::failed) bar_.message(result.error);
   if (!settings_.json) return;
   JsonLine line("frame");
@@ -77,21 +79,23 @@ int RenderReport::finish(const JobResult& result) {
 }
 
 void RenderReport::summary(const JobResult& result, double seconds) const {
-  const std::size_t rendered = count(result, Status::rendered), kept = count(result, Status::kept);
-  const std::size_t failed = count(result, Status::failed);
-  const double speed = seconds > 0 ? static_cast<double>(rendered) / seconds : 0.0;
+  const std::size_t rendered = count(result, Status::rendered), copied = count(result, Status::copied);
+  const std::size_t kept = count(result, Status::kept), failed = count(result, Status::failed);
+  const double speed = seconds > 0 ? static_cast<double>(rendered + copied) / seconds : 0.0;
   if (settings_.json) {
     JsonLine line("summary");
     line.add("device", settings_.device).add("total", total_).add("rendered", rendered).add("kept", kept);
+    line.add("copied", copied);
     line.add("failed", failed).add("interrupted", result.interrupted).add("seconds", seconds);
     print_result(line.add("frames_per_second", speed).add("code", exit_code(result)).str());
     return;
   }
-  if (settings_.quiet || rendered + kept == 0) return;
+  if (settings_.quiet || rendered + copied + kept == 0) return;
   const auto whole = [](const FrameResult& frame) { return frame.status != Status::failed; };
   const auto first = std::find_if(result.frames.begin(), result.frames.end(), whole);
   const auto last = std::find_if(result.frames.rbegin(), result.frames.rend(), whole);
   std::string line = fmt::format("{} frames rendered", rendered);
+  if (copied > 0) line += fmt::format(", {} copied", copied);
   if (kept > 0) line += fmt::format(", {} kept", kept);
   if (failed > 0) line += fmt::format(", {} failed", failed);
   line += fmt::format(" on {} in {:.2f} s ({:.1f} frames/s): {}", settings_.device, seconds, speed, first->path);

@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
+#include "host/image/exr_encode.hpp"
 #include "host/image/exr_file.hpp"
+#include "host/image/exr_relabel.hpp"
+#include "host/image/exr_stream.hpp"
+#include "host/image/pixel_hash.hpp"
 
 namespace morphcl {
 
@@ -29,6 +34,24 @@ void check_settings(const RenderJob& job, const ImageSettings& image, const Fram
     throw Error(ErrorKind::usage, "", "pictures show colour, and this job has none; add RGBA to the channels");
 }
 
+// Kept from frame to frame: the first touch of fresh memory costs more than the encoding.
+thread_local std::vector<char> encoded, read_back;
+
+// The bytes of the file if they are what was written.
+bool read_unchanged(const std::string& path, const WrittenFrame& written, std::vector<char>& bytes) {
+  try {
+    FileInput file(path);
+    if (written.file_hash.empty() || file.size() != written.file_bytes) return false;
+    bytes.resize(written.file_bytes);
+    constexpr std::size_t piece = std::size_t{1} << 30;
+    for (std::size_t at = 0; at < bytes.size(); at += piece)
+      file.read(bytes.data() + at, static_cast<int>(std::min(piece, bytes.size() - at)));
+    return text_hash({bytes.data(), bytes.size()}) == written.file_hash;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 void set_failed(FrameResult& result, const std::exception& error) {
@@ -39,8 +62,8 @@ void set_failed(FrameResult& result, const std::exception& error) {
   result.error_code = failure.exit_code();
 }
 
-FrameOutput::FrameOutput(const RenderJob& job, const ImageSettings& image)
-    : job_(job), image_(image), pattern_(job.pattern) {
+FrameOutput::FrameOutput(const RenderJob& job, const ImageSettings& image, int encoders)
+    : job_(job), image_(image), pattern_(job.pattern), encoders_(encoders) {
   check_settings(job, image, pattern_);
   if (job.frames.empty()) return;
   check_can_create(path(job.frames.front()));
@@ -67,15 +90,43 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   return result;
 }
 
-void FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
-                        int threads) {
+WrittenFrame FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
+                                int encoding_threads, const std::function<void()>& pixels_done) {
   try {
-    result.hash = write_exr(result.path, pixels, attributes, image_.compression, threads);
-    if (job_.verify) verify_exr(result.path, result.hash);
-    draw_pictures(result, pixels);
+    encoders_.acquire();
+    try {
+      result.hash = encode_exr(encoded, pixels, attributes, image_.compression, encoding_threads);
+    } catch (...) {
+      encoders_.release();
+      throw;
+    }
+    encoders_.release();
+    if (!draws_pictures()) pixels_done();
+    save(encoded, result);
+    if (draws_pictures()) draw_pictures(result, pixels);
+    if (!job_.reuse_equal_frames) return {};
+    return {result.frame, encoded.size(), text_hash({encoded.data(), encoded.size()})};
+  } catch (const std::exception& error) {
+    set_failed(result, error);
+    return {};
+  }
+}
+
+bool FrameOutput::copy(const WrittenFrame& source, const FrameAttributes& attributes, FrameResult& result) {
+  if (!read_unchanged(path(source.frame), source, read_back)) return false;
+  try {
+    result.hash = relabel_exr(encoded, read_back, attributes);
+    save(encoded, result);
+    if (draws_pictures()) draw_pictures(result, decode_exr(encoded).frame);
   } catch (const std::exception& error) {
     set_failed(result, error);
   }
+  return true;
+}
+
+void FrameOutput::save(std::span<const char> file, const FrameResult& result) const {
+  write_file_atomically(result.path, file);
+  if (job_.verify) verify_exr(result.path, result.hash);
 }
 
 void FrameOutput::finish() const {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <semaphore>
+#include <span>
 
 #include "host/image/contact_sheet.hpp"
 #include "host/image/frame_attributes.hpp"
+#include "host/job/equal_frames.hpp"
 #include "host/job/render_job.hpp"
 
 namespace morphcl {
@@ -17,27 +21,37 @@ void set_failed(FrameResult& result, const std::exception& error);
 class FrameOutput {
  public:
   // Checks all that run() promises to find before anything is rendered, makes the output's folder, and removes what
-  // killed jobs left there. `job` and `image` have to outlive this.
-  FrameOutput(const RenderJob& job, const ImageSettings& image);
+  // killed jobs left there. `job` and `image` have to outlive this. Of the threads that call write() at the same time,
+  // at most `encoders` encode; the others wait for them or for the disk.
+  FrameOutput(const RenderJob& job, const ImageSettings& image, int encoders);
 
   std::string path(std::int64_t frame) const { return pattern_.path(frame); }
 
   // The result of a frame that a former run finished, with its pictures drawn; nothing when it has to be rendered. May
-  // be called for several frames at the same time, as may write().
+  // be called for several frames at the same time, as may write() and copy().
   std::optional<FrameResult> keep(std::int64_t frame);
 
-  // Writes the frame and its pictures and completes `result`, as failed when anything of it fails.
-  void write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result, int threads);
+  // Writes the frame and its pictures and completes `result`, as failed when anything of it fails. Calls `pixels_done`
+  // as soon as `pixels` are not needed any more, or not at all. `encoding_threads` share the encoding of the one frame.
+  WrittenFrame write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
+                     int encoding_threads, const std::function<void()>& pixels_done);
+
+  // The same with the pixels of a frame that this job wrote, out of its file. False, and nothing done, when that file
+  // is not there or not as it was written.
+  bool copy(const WrittenFrame& source, const FrameAttributes& attributes, FrameResult& result);
 
   // After the last frame: writes the contact sheet.
   void finish() const;
 
  private:
+  void save(std::span<const char> file, const FrameResult& result) const;
+  bool draws_pictures() const { return job_.preview || sheet_; }
   void draw_pictures(const FrameResult& result, const FrameBuffer& pixels);
 
   const RenderJob& job_;
   const ImageSettings& image_;
   const FramePattern pattern_;
+  std::counting_semaphore<> encoders_;
   std::unique_ptr<ContactSheet> sheet_;
 };
 

@@ -4,8 +4,11 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <utility>
 
+#include "host/job/equal_frames.hpp"
 #include "host/job/frame_output.hpp"
+#include "host/job/plan_ahead.hpp"
 #include "host/job/write_queue.hpp"
 #include "host/render/plan.hpp"
 
@@ -21,19 +24,28 @@ int thread_count(const RenderJob& job) {
   return std::clamp(wanted, 1, most_threads);
 }
 
-int buffer_count(const RenderJob& job, const ImageSettings& image) {
-  if (job.frames_in_flight > 0) return job.frames_in_flight;
+std::size_t frames_that_fit(const ImageSettings& image) {
   const std::size_t pixel_bytes = (image.color ? 4 * sizeof(std::uint16_t) : 0) + (image.depth ? sizeof(float) : 0);
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  const std::size_t fitting = most_memory / std::max<std::size_t>(1, pixels * pixel_bytes);
-  return static_cast<int>(std::clamp<std::size_t>(fitting, 2, static_cast<std::size_t>(thread_count(job)) + 1));
+  return most_memory / std::max<std::size_t>(1, pixels * pixel_bytes);
+}
+
+WriteQueue::Limits limits(const RenderJob& job, const ImageSettings& image) {
+  const auto threads = static_cast<std::size_t>(thread_count(job));
+  const std::size_t fitting = frames_that_fit(image);
+  WriteQueue::Limits limits;
+  limits.buffers = job.frames_in_flight > 0 ? job.frames_in_flight
+                                            : static_cast<int>(std::clamp<std::size_t>(fitting, 2, threads + 1));
+  // Threads that wait for the disk are in nobody's way.
+  limits.threads = static_cast<int>(std::clamp<std::size_t>(fitting, 1, threads + 4));
+  return limits;
 }
 
 // One run of a job: what its steps share.
 class JobRun {
  public:
   JobRun(const RenderJob& job, const Scene& scene, Renderer& renderer)
-      : job_(job), scene_(scene), renderer_(renderer), output_(job, scene.image) {}
+      : job_(job), scene_(scene), renderer_(renderer), output_(job, scene.image, thread_count(job)) {}
 
   JobResult run() {
     const std::vector<std::int64_t> missing = job_.resume ? keep_finished_frames() : job_.frames;
@@ -55,13 +67,20 @@ class JobRun {
 
   std::vector<std::int64_t> keep_finished_frames();
   void render(const std::vector<std::int64_t>& frames);
-  void render_frame(const Planner& planner, std::int64_t frame, WriteQueue& queue);
+  void add_frame(PlannedFrame& planned, WriteQueue& queue);
+  void draw_frame(PlannedFrame& planned, WrittenFramePromise written, WriteQueue& queue);
+  FrameTask task_for(const PlannedFrame& planned) const;
+  void write(FrameTask& task, int encoding_threads, const WriteQueue::ReleasePixels& release);
+  bool copy(FrameTask& task);
+  void draw_lost_copies(const Planner& planner, WriteQueue& queue);
 
   const RenderJob& job_;
   const Scene& scene_;
   Renderer& renderer_;
   FrameOutput output_;
-  std::mutex report_mutex_;
+  EqualFrames equal_frames_;
+  std::mutex report_mutex_, lost_mutex_;
+  std::vector<std::pair<std::int64_t, PlanDigest>> lost_copies_;  // frames whose source could not be read
   JobResult result_;
 };
 
@@ -100,46 +119,104 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
   const ImageSettings& image = scene_.image;
   const Planner planner(scene_, job_.plan);
   // Frames side by side keep all threads busy; a single one needs them all.
-  const int exr_threads = frames.size() == 1 ? thread_count(job_) : 1;
+  const int encoding_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(
-      buffer_count(job_, image), thread_count(job_),
+      limits(job_, image),
       [&image] { return std::make_unique<FrameBuffer>(image.width, image.height, image.color, image.depth); },
-      [this, exr_threads](DrawnFrame& frame) {
-        output_.write(*frame.pixels, frame.attributes, frame.result, exr_threads);
-        report(frame.result);
+      [this, encoding_threads](FrameTask& task, const WriteQueue::ReleasePixels& release) {
+        write(task, encoding_threads, release);
       });
-  for (const std::int64_t frame : frames) {
+  const auto going_on = [&] {
     if (stopped()) result_.interrupted = true;
-    if (result_.interrupted || queue.broken()) break;
-    render_frame(planner, frame, queue);
+    return !result_.interrupted && !queue.broken();
+  };
+  PlanAhead plans(planner, frames);
+  for (std::size_t i = 0; i < frames.size() && going_on(); ++i) {
+    PlannedFrame planned = plans.next();
+    add_frame(planned, queue);
+    draw_lost_copies(planner, queue);
   }
+  queue.drain();
+  draw_lost_copies(planner, queue);
   queue.finish();
 }
 
-void JobRun::render_frame(const Planner& planner, std::int64_t frame, WriteQueue& queue) {
-  DrawnFrame drawn;
-  drawn.result.frame = frame;
-  drawn.result.path = output_.path(frame);
-  drawn.pixels = queue.take_buffer();
+// Queues the frame as a copy where that is possible, else draws it.
+void JobRun::add_frame(PlannedFrame& planned, WriteQueue& queue) {
+  if (planned.failure || !job_.reuse_equal_frames) return draw_frame(planned, {}, queue);
+  auto source = equal_frames_.find_or_claim(planned.digest);
+  if (auto* const claimed = std::get_if<WrittenFramePromise>(&source))
+    return draw_frame(planned, std::move(*claimed), queue);
+  FrameTask copy = task_for(planned);
+  copy.result.status = FrameResult::Status::copied;
+  copy.source = std::get<WrittenFrameFuture>(source);
+  queue.put(std::move(copy));
+}
+
+void JobRun::draw_frame(PlannedFrame& planned, WrittenFramePromise written, WriteQueue& queue) {
+  FrameTask task = task_for(planned);
+  task.written = std::move(written);
+  task.pixels = queue.take_buffer();
   try {
-    const FramePlan plan = planner.plan(frame);
+    if (planned.failure) std::rethrow_exception(planned.failure);
     const auto start = std::chrono::steady_clock::now();
-    renderer_.render(plan, *drawn.pixels);
-    drawn.result.milliseconds =
+    renderer_.render(planned.plan, *task.pixels);
+    task.result.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    drawn.attributes = {frame,
-                        scene_.timeline.time.fps_numerator,
-                        scene_.timeline.time.fps_denominator,
-                        plan.world_to_eye,
-                        plan.world_to_ndc,
-                        job_.fingerprint};
   } catch (const std::exception& error) {
-    queue.give_back(std::move(drawn.pixels));
-    set_failed(drawn.result, error);
-    report(drawn.result);
+    queue.give_back(std::move(task.pixels));
+    set_failed(task.result, error);
+    report(task.result);
     return;
   }
-  queue.put(std::move(drawn));
+  queue.put(std::move(task));
+}
+
+FrameTask JobRun::task_for(const PlannedFrame& planned) const {
+  const TimeBase& time = scene_.timeline.time;
+  FrameTask task;
+  task.result.frame = planned.frame;
+  task.result.path = output_.path(planned.frame);
+  task.attributes = {
+      planned.frame,   time.fps_numerator, time.fps_denominator, planned.plan.world_to_eye, planned.plan.world_to_ndc,
+      job_.fingerprint};
+  task.picture = planned.digest;
+  return task;
+}
+
+// By the queue's threads.
+void JobRun::write(FrameTask& task, int encoding_threads, const WriteQueue::ReleasePixels& release) {
+  if (task.pixels) {
+    task.written.set_value(output_.write(*task.pixels, task.attributes, task.result, encoding_threads, release));
+  } else if (!copy(task)) {
+    const std::lock_guard lock(lost_mutex_);
+    lost_copies_.emplace_back(task.result.frame, task.picture);
+    return;
+  }
+  report(task.result);
+}
+
+// The source stands before the copy in the queue, so it has been written or is being written by another thread.
+bool JobRun::copy(FrameTask& task) {
+  try {
+    return output_.copy(task.source.get(), task.attributes, task.result);
+  } catch (const std::future_error&) {
+    return false;  // the source was given up
+  }
+}
+
+// Frames that were to be copied from a file that has failed or gone.
+void JobRun::draw_lost_copies(const Planner& planner, WriteQueue& queue) {
+  std::vector<std::pair<std::int64_t, PlanDigest>> lost;
+  {
+    const std::lock_guard lock(lost_mutex_);
+    lost.swap(lost_copies_);
+  }
+  for (const auto& [frame, picture] : lost) {
+    equal_frames_.forget(picture);
+    PlannedFrame planned = plan_with_digest(planner, frame);
+    draw_frame(planned, {}, queue);
+  }
 }
 
 }  // namespace

@@ -19,10 +19,12 @@ struct FrameResult {
   std::int64_t frame = 0;
   std::string path;
   std::string hash;  // the pixel hash in the file
-  enum class Status { rendered, kept, failed } status = Status::rendered;
+  // copied: the job had written a frame with the same picture; its encoded pixels were copied, with this frame's
+  // number.
+  enum class Status { rendered, copied, kept, failed } status = Status::rendered;
   std::string error;        // one line, when failed
   int error_code = 0;       // the exit code of that error's kind
-  double milliseconds = 0;  // drawing alone
+  double milliseconds = 0;  // drawing alone; 0 unless it was rendered
 };
 
 struct RenderJob {
@@ -30,10 +32,13 @@ struct RenderJob {
   std::vector<std::int64_t> frames;  // each once
   bool resume = false;               // keep the finished frames of the same fingerprint
   bool verify = false;  // read every frame back after it was written; one that reads back differently is removed
-  // CPU threads that compress and write while the next frame is drawn; 0: one for each CPU of the process, 8 at most.
+  // A frame whose plan shows the same picture as one that this job has written is copied from that one's file.
+  bool reuse_equal_frames = true;
+  // CPU threads that compress while the next frame is drawn; 0: one for each CPU of the process, 8 at most.
   int threads = 0;
-  // Frames in memory at a time, the one being drawn included; 0: one more than threads, but at most 2 GiB of them (two
-  // at least).
+  // Frame buffers, the one being drawn included; 0: one more than threads, but at most 2 GiB of them (two at least). A
+  // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
+  // large frames fewer, so that drawing does not wait for each flush.
   int frames_in_flight = 0;
   std::string fingerprint;                           // fingerprint(scene)
   PlanOptions plan;                                  // what is left out of frames; their pixels are the same

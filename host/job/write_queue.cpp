@@ -4,10 +4,13 @@
 
 namespace morphcl {
 
-WriteQueue::WriteQueue(int buffers, int threads, std::function<std::unique_ptr<FrameBuffer>()> make_buffer,
-                       std::function<void(DrawnFrame&)> write)
-    : make_buffer_(std::move(make_buffer)), write_(std::move(write)), buffers_left_to_make_(buffers) {
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { write_frames(); });
+WriteQueue::WriteQueue(Limits limits, std::function<std::unique_ptr<FrameBuffer>()> make_buffer,
+                       std::function<void(FrameTask&, const ReleasePixels&)> write)
+    : make_buffer_(std::move(make_buffer)),
+      write_(std::move(write)),
+      most_waiting_(static_cast<std::size_t>(limits.buffers) + static_cast<std::size_t>(limits.threads)),
+      buffers_left_to_make_(limits.buffers) {
+  for (int i = 0; i < limits.threads; ++i) threads_.emplace_back([this] { write_frames(); });
 }
 
 WriteQueue::~WriteQueue() { join(); }
@@ -33,17 +36,23 @@ void WriteQueue::give_back(std::unique_ptr<FrameBuffer> buffer) {
   buffer_is_free_.notify_one();
 }
 
-void WriteQueue::put(DrawnFrame frame) {
+void WriteQueue::put(FrameTask task) {
   {
-    const std::lock_guard lock(mutex_);
-    frames_.push_back(std::move(frame));
+    std::unique_lock lock(mutex_);
+    task_is_taken_.wait(lock, [this] { return tasks_.size() < most_waiting_; });
+    tasks_.push_back(std::move(task));
   }
-  frame_is_there_.notify_one();
+  task_is_there_.notify_one();
 }
 
 bool WriteQueue::broken() const {
   const std::lock_guard lock(mutex_);
   return failure_ != nullptr;
+}
+
+void WriteQueue::drain() {
+  std::unique_lock lock(mutex_);
+  all_done_.wait(lock, [this] { return tasks_.empty() && tasks_in_work_ == 0; });
 }
 
 void WriteQueue::finish() {
@@ -54,18 +63,26 @@ void WriteQueue::finish() {
 void WriteQueue::write_frames() {
   for (;;) {
     std::unique_lock lock(mutex_);
-    frame_is_there_.wait(lock, [this] { return closed_ || !frames_.empty(); });
-    if (frames_.empty()) return;
-    DrawnFrame frame = std::move(frames_.front());
-    frames_.pop_front();
+    task_is_there_.wait(lock, [this] { return closed_ || !tasks_.empty(); });
+    if (tasks_.empty()) return;
+    FrameTask task = std::move(tasks_.front());
+    tasks_.pop_front();
+    ++tasks_in_work_;
     lock.unlock();
+    task_is_taken_.notify_one();
+    const ReleasePixels release = [&] {
+      if (task.pixels) give_back(std::move(task.pixels));
+    };
+    std::exception_ptr failure;
     try {
-      write_(frame);
+      write_(task, release);
     } catch (...) {
-      const std::lock_guard failure_lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
+      failure = std::current_exception();
     }
-    give_back(std::move(frame.pixels));
+    release();
+    lock.lock();
+    if (!failure_) failure_ = failure;
+    if (--tasks_in_work_ == 0 && tasks_.empty()) all_done_.notify_all();
   }
 }
 
@@ -74,7 +91,7 @@ void WriteQueue::join() {
     const std::lock_guard lock(mutex_);
     closed_ = true;
   }
-  frame_is_there_.notify_all();
+  task_is_there_.notify_all();
   threads_.clear();  // a jthread joins when it goes
 }
 
