@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import sys
 
+PACKAGES = ["g++", "libpocl2", "libgl1-mesa-dri", "libopenexr-dev", "libisal-dev", "libdeflate-dev"]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -41,8 +42,18 @@ def commit():
     return head.stdout.strip() + (" with changes" if changed else "")
 
 
+def versions():
+    """Debian packages that the figures depend on, with versions; empty on other systems."""
+    try:
+        known = subprocess.run(["dpkg-query", "-W", "-f=${Package}\t${Version}\n", *PACKAGES], capture_output=True,
+                               text=True).stdout
+    except FileNotFoundError:
+        return []
+    return [" ".join(line.split("\t")) for line in known.splitlines() if not line.endswith("\t")]
+
+
 def lines(load_before):
     """For the foot of a page, as Markdown list items."""
     return [f"- machine: {processor_name()}, {processors()} processors, Linux {os.uname().release}; load average "
             f"before the first round {load_before:.1f}; {'' if is_ahead() else 'not '}run ahead of other programs",
-            f"- commit {commit()}"]
+            *(f"- {', '.join(found)}" for found in [versions()] if found), f"- commit {commit()}"]
