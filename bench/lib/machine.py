@@ -28,6 +28,11 @@ def run_ahead():
         sys.exit("--ahead: needs root")
 
 
+def run_as_usual():
+    """The opposite."""
+    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+
+
 def is_ahead():
     return os.sched_getscheduler(0) != os.SCHED_OTHER
 

@@ -50,7 +50,8 @@ def known_targets(folder):
 
 
 def build_targets(folder, targets):
-    subprocess.run(["cmake", "--build", folder, "--target", *targets], check=True, stdout=sys.stderr)
+    subprocess.run(["cmake", "--build", folder, "--target", *targets], check=True, stdout=sys.stderr,
+                   preexec_fn=machine.run_as_usual)
 
 
 def build(folder):
