@@ -6,31 +6,75 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_line.hpp"
 #include "cli/table.hpp"
+#include "host/device/session.hpp"
 #include "host/error.hpp"
 #include "host/render/plan/report.hpp"
 #include "host/scene/frame_range.hpp"
 
 namespace morphcl::cli {
 
+namespace {
+
+double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / 0x1p20; }
+
+// What the default device allocates at once; nothing where there is none, as a plan needs no device.
+std::optional<std::size_t> allocation_limit() try {
+  prepare_process(0);
+  for (const DeviceInfo& device : list_devices())
+    if (device.is_cpu) return device.largest_allocation;
+  return std::nullopt;
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+void print_json(const PlanReport& report, const std::string& exceeded) {
+  for (const PlanNote& note : report.notes) {
+    JsonLine line("plan");
+    line.add("frame", report.plan.frame).add("item", note.item).add("done", note.done).add("reason", note.reason);
+    print_result(line.add("estimated_ms", note.milliseconds).str());
+  }
+  JsonLine line("plan_total");
+  line.add("frame", report.plan.frame).add("estimated_ms", report.milliseconds);
+  line.add("mesh_bytes", report.memory.meshes).add("vertex_bytes", report.memory.vertices);
+  line.add("bin_bytes", report.memory.bins).add("pixel_bytes", report.memory.pixels);
+  print_result(line.add("exceeds_device", exceeded).str());
+}
+
+void print_table(const Scene& scene, const PlanReport& report, const std::string& exceeded) {
+  print_result(fmt::format("{} frame {}, {}x{}: about {:.2f} ms to draw (an estimate; shares are of it)",
+                           printable(scene.name), report.plan.frame, report.plan.width, report.plan.height,
+                           report.milliseconds));
+  std::vector<std::vector<std::string>> rows;
+  for (const PlanNote& note : report.notes) {
+    const bool counts = note.milliseconds >= 0.0005;
+    rows.push_back({note.item, note.done ? "done" : "left out",
+                    counts ? fmt::format("{}{:.3f} ms", note.done ? "" : "-", note.milliseconds) : "",
+                    counts ? fmt::format("{:.0f} %", 100 * note.milliseconds / report.milliseconds) : "",
+                    printable(note.reason)});
+  }
+  for (const std::string& line : aligned(rows)) print_result(line);
+  const MemoryNeed& need = report.memory;
+  print_result(
+      fmt::format("memory: device {:.1f} MiB (meshes {:.1f}, vertices {:.1f}, bins {:.1f}), host {:.1f} MiB of "
+                  "pixels a frame in flight",
+                  mebibytes(need.device()), mebibytes(need.meshes), mebibytes(need.vertices), mebibytes(need.bins),
+                  mebibytes(need.pixels)));
+  if (!exceeded.empty()) print_result("too large: " + exceeded);
+}
+
+}  // namespace
+
 int plan_command(const PlanOptions& options) {
   const Scene scene = open_scene(options.scene);
   const std::int64_t frame = options.frame ? *options.frame : frame_numbers(scene.frames).front();
   const morphcl::PlanOptions what{.leave_out = options.leave_out};
   const PlanReport report = explain(Planner(scene, what), scene, what, frame);
-  if (options.json) {
-    for (const PlanNote& note : report.notes) {
-      JsonLine line("plan");
-      line.add("frame", frame).add("item", note.item).add("done", note.done).add("reason", note.reason);
-      print_result(line.str());
-    }
-  } else {
-    std::vector<std::vector<std::string>> rows;
-    for (const PlanNote& note : report.notes)
-      rows.push_back({note.item, note.done ? "done" : "left out", printable(note.reason)});
-    print_result(
-        fmt::format("{} frame {}, {}x{}", printable(scene.name), frame, report.plan.width, report.plan.height));
-    for (const std::string& line : aligned(rows)) print_result(line);
-  }
+  const std::optional<std::size_t> limit = allocation_limit();
+  const std::string exceeded = limit ? exceeded_limit(report.memory, *limit) : "";
+  if (options.json)
+    print_json(report, exceeded);
+  else
+    print_table(scene, report, exceeded);
   return exit_done;
 }
 

@@ -77,4 +77,4 @@ install(FILES ${PROJECT_SOURCE_DIR}/kernels/layout.h ${PROJECT_SOURCE_DIR}/kerne
 install(FILES ${PROJECT_SOURCE_DIR}/host/morphcl.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl)
 install(FILES ${PROJECT_BINARY_DIR}/generated/host/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/host)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos/ DESTINATION ${CMAKE_INSTALL_DATADIR}/morphcl/demos
-        FILES_MATCHING PATTERN "*.toml" PATTERN "viewer" EXCLUDE)
+        FILES_MATCHING PATTERN "*.toml" PATTERN "*.gltf" PATTERN "viewer" EXCLUDE)

@@ -72,7 +72,7 @@ struct PlanOptions {
   bool leave_out = true;  // false: nothing is left out, whatever the items say
   bool objects_out_of_view = true;
   bool idle_targets = true;  // morph targets of weight 0
-  bool normals = true;       // and light, where the scene has no lights
+  bool normals = true;       // and light, where the scene has no lights; and all colour, where none is asked for
   bool clipping = true;
   bool divide = true;
   bool depth_test = true;

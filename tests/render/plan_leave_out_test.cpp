@@ -50,6 +50,23 @@ TEST(LeaveOut, OnTheReferenceNoPixelChanges) {
   }
 }
 
+// Distances alone need no colours, normals or lights.
+TEST(LeaveOut, WithoutColourNoDistanceChanges) {
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (TestScene& test : test_scenes(width, height)) {
+    test.scene.image.color = false;
+    const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
+    for (const Draw& one : usual.plan(0).draws) {
+      EXPECT_TRUE(one.shading == Shading::unlit || one.shading == Shading::wireframe) << test.name;
+      EXPECT_FALSE(one.vertex_colors) << test.name;
+    }
+    const FrameBuffer expected = draw(*reference, nothing_left_out, 0);
+    EXPECT_TRUE(same_pixels(expected, draw(*reference, usual, 0))) << test.name;
+    EXPECT_TRUE(same_pixels(expected, draw(*device, usual, 0))) << test.name;
+    EXPECT_TRUE(same_pixels(expected, draw(*device, nothing_left_out, 0))) << test.name;
+  }
+}
+
 TEST(LeaveOut, OnTheDeviceNoPixelChanges) {
   const auto renderer = make_device_renderer(shared_session());
   for (const TestScene& test : test_scenes(width, height)) {

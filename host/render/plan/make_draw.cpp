@@ -28,7 +28,11 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
   if (draw.shading == Shading::smooth && draw.mesh->normals.empty()) draw.shading = Shading::flat;
-  if (context.plan.lights.empty() && is_lit(draw.shading) && !context.keeps_normals) {
+  if (!context.plan.color && !context.keeps_normals) {
+    // Distances do not depend on colours.
+    if (draw.shading != Shading::wireframe) draw.shading = Shading::unlit;
+    draw.vertex_colors = false;
+  } else if (context.plan.lights.empty() && is_lit(draw.shading) && !context.keeps_normals) {
     // Without lights every normal gives the ambient light, which goes into the base colour: the same fp32 product.
     draw.shading = Shading::unlit;
     for (int i = 0; i < 3; ++i) draw.base_color[i] = draw.base_color[i] * context.plan.ambient[i];

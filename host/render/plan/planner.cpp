@@ -145,7 +145,10 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
   add_camera(volume, camera.world_to_eye, plan);
   plan.ambient = to_array(timeline.ambient);
-  for (std::size_t i = 0; i < timeline.lights.size(); ++i) add_light(evaluate_light(timeline.lights[i], i, tick), plan);
+  for (std::size_t i = 0; i < timeline.lights.size(); ++i) {
+    const LightState light = evaluate_light(timeline.lights[i], i, tick);
+    if (plan.color || !options.normals) add_light(light, plan);
+  }
   plan.keeps_vertices = options.kept_vertices, plan.keeps_blank_tiles = options.blank_tiles;
   return volume;
 }

@@ -1,0 +1,42 @@
+#include "host/render/plan/cost_model.hpp"
+
+#include <algorithm>
+
+namespace morphcl {
+
+FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const SkippedWork& skipped,
+                          const CostModel& model) {
+  constexpr double ms = 1e-6;  // a nanosecond
+  FrameCosts costs{};
+  const double written = plan.keeps_blank_tiles ? work.reached_pixels : work.pixels;
+  costs.color = ms * model.byte * 8 * written;
+  costs.depth = ms * model.byte * 4 * written;
+  costs.blank_pixels = ms * model.byte * work.bytes_per_pixel * (work.pixels - work.reached_pixels);
+
+  costs.targets = ms * model.target_vertex * work.target_vertices;
+  costs.idle_targets = ms * model.target_vertex * work.idle_target_vertices;
+  costs.normals = ms * model.smooth_vertex * work.smooth_vertices;
+  costs.colors = ms * (model.colored_vertex * work.colored_vertices +
+                       model.tinted_pixel * work.tinted_share * work.reached_pixels);
+  costs.face_light = ms * model.face_light * work.flat_faces * std::max(work.lights, 1.0);
+  costs.lights = ms * model.pixel_light * work.smooth_share * work.reached_pixels * work.lights;
+  costs.lines = ms * model.line * work.lines;
+  costs.clipping = ms * model.clipped_vertex * work.vertices;
+  costs.divide = ms * model.divided_vertex * work.vertices;
+  costs.depth_test = ms * model.depth_test * work.reached_pixels;
+
+  const double vertices = ms * model.vertex * work.vertices;
+  costs.vertices =
+      vertices + costs.targets + costs.normals + costs.divide + ms * model.colored_vertex * work.colored_vertices;
+  costs.draws =
+      ms * (model.draw * work.draws + model.triangle * work.triangles + model.covered_pixel * work.reached_pixels) +
+      vertices;
+  costs.skipped = ms * (model.vertex * skipped.vertices + model.triangle * skipped.triangles);
+  costs.everything = ms * model.frame + (plan.color ? costs.color : 0) + (plan.depth ? costs.depth : 0) + costs.draws +
+                     costs.targets + costs.normals + costs.colors + costs.face_light + costs.lights + costs.lines +
+                     (plan.clips ? costs.clipping : 0) + (plan.divides ? costs.divide : 0) +
+                     (plan.tests_depth ? costs.depth_test : 0);
+  return costs;
+}
+
+}  // namespace morphcl

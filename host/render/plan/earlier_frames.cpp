@@ -1,0 +1,53 @@
+#include "host/render/plan/earlier_frames.hpp"
+
+#include <algorithm>
+
+#include "host/error.hpp"
+#include "host/render/plan_digest.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::size_t most_frames = 1000;
+
+bool same_vertices(const Draw& a, const Draw& b) {
+  return a.mesh == b.mesh && a.object == b.object && a.shading == b.shading && a.object_to_clip == b.object_to_clip &&
+         a.object_to_eye == b.object_to_eye && a.normal_to_eye == b.normal_to_eye &&
+         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end());
+}
+
+// A frame in which the motion goes wrong has nothing in common with this one.
+std::optional<FramePlan> try_plan(const Planner& planner, std::int64_t frame) try {
+  return planner.plan(frame);
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::size_t count_unchanged_draws(const Planner& planner, const FramePlan& plan) {
+  const std::optional<FramePlan> before = try_plan(planner, plan.frame - 1);
+  if (!before) return 0;
+  std::size_t unchanged = 0, at = 0;
+  for (const Draw& draw : plan.draws) {
+    while (at < before->draws.size() && before->draws[at].object < draw.object) ++at;
+    if (at < before->draws.size()) unchanged += same_vertices(draw, before->draws[at]);
+  }
+  return unchanged;
+}
+
+std::optional<std::int64_t> find_equal_frame(const Planner& planner, const Scene& scene, const FramePlan& plan) {
+  std::vector<std::int64_t> frames = frame_numbers(scene.frames);
+  frames.erase(std::lower_bound(frames.begin(), frames.end(), plan.frame), frames.end());
+  const PlanDigest digest = pixel_digest(plan);
+  const std::size_t looked_at = std::min(frames.size(), most_frames);
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    const std::int64_t earlier = frames[frames.size() - 1 - i];
+    const std::optional<FramePlan> other = try_plan(planner, earlier);
+    if (other && pixel_digest(*other) == digest) return earlier;
+  }
+  return std::nullopt;
+}
+
+}  // namespace morphcl
