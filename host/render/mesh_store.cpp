@@ -14,24 +14,28 @@ constexpr std::size_t padding = layout::lanes;
 
 std::size_t padded(std::size_t count) { return (count + padding - 1) / padding * padding; }
 
-// Hands out room in a buffer that is filled later.
+// Hands out room in a buffer that is filled later. Offsets mean nothing until check() has passed.
 class Allocation {
  public:
-  explicit Allocation(std::size_t limit_bytes) : limit_(limit_bytes) {}
   layout::uint take(std::size_t elements) {
     const std::size_t at = size_;
     size_ += elements;
-    if (size_ * 4 > limit_)
-      throw Error(ErrorKind::bad_input, "",
-                  fmt::format("the meshes need more than the {} MiB that the device allocates at once; use fewer "
-                              "vertices or morph targets, or another device",
-                              limit_ >> 20));
     return static_cast<layout::uint>(at);
+  }
+  // Error(bad_input) when it is more than the device allocates at once, or than offsets can say.
+  void check(const char* what, std::size_t limit_bytes) const {
+    const std::size_t most = std::min(limit_bytes, std::size_t{layout::no_id} * 4);
+    if (size_ * 4 <= most) return;
+    constexpr double mebibyte = 1 << 20;
+    throw Error(ErrorKind::bad_input, "",
+                fmt::format("the meshes' {} take {:.0f} MiB, and the device allocates at most {:.0f} MiB at once; use "
+                            "fewer vertices or morph targets, or another device",
+                            what, static_cast<double>(size_) * 4 / mebibyte, static_cast<double>(most) / mebibyte));
   }
   std::size_t size() const { return size_; }
 
  private:
-  std::size_t limit_, size_ = 0;
+  std::size_t size_ = 0;
 };
 
 template <class Vector>
@@ -124,13 +128,17 @@ bool MeshStore::require(const FramePlan& plan) {
     changed |= added || (lines && !entry->second);
     entry->second |= lines;
   }
-  if (changed) upload();
+  if (changed) {
+    planner_ = 0;  // no planner's: an upload that fails leaves nothing to draw from
+    upload();
+    planner_ = plan.planner;
+  }
   return changed;
 }
 
 void MeshStore::upload() {
   const std::size_t limit = session_->info().largest_allocation;
-  Allocation data(limit), indices(limit);
+  Allocation data, indices;
   std::unordered_map<const Mesh*, std::vector<glm::uvec2>> edges;
   for (const Mesh* mesh : order_) {
     StoredMesh placed = place(*mesh, data);
@@ -141,6 +149,8 @@ void MeshStore::upload() {
     }
     stored_[mesh] = std::move(placed);
   }
+  data.check("vertices", limit);
+  indices.check("triangles", limit);
   data_.ensure(data.size() * sizeof(float));
   indices_.ensure(indices.size() * sizeof(layout::uint));
   const auto mapped_data = data_.map<float>(session_->queue(), std::max<std::size_t>(data.size(), 1));
