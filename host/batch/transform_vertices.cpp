@@ -12,8 +12,8 @@ namespace morphcl {
 
 namespace {
 
-// Fewer than these are done by the host before the device has begun.
-constexpr std::size_t fewest_on_device = 4096;
+// Fewer than these are done by the host in about the time that a launch takes.
+constexpr std::size_t fewest_on_device = 8192;
 constexpr std::uintptr_t cache_line_bytes = 64;
 // A batch is split at multiples of this, so that every part starts a cache line if the first does.
 constexpr std::size_t vertices_per_step = 4096;

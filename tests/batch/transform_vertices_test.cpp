@@ -84,7 +84,7 @@ TYPED_TEST(TransformVertices, InPlaceWithAxesExchanged) {
 TYPED_TEST(TransformVertices, UnalignedArraysAndNothingBesideThem) {
   constexpr TypeParam guard = 12345;
   for (const VertexLayout layout : all_layouts)
-    for (const std::size_t count : {std::size_t{7001}, past_the_cache})
+    for (const std::size_t count : {std::size_t{9001}, past_the_cache})
       for (std::size_t offset = 0; offset < 16; offset += count == past_the_cache ? 3 : 1) {
         const auto in = make_batch<TypeParam>(layout, count, Family::benign, 7);
         const std::size_t reals = count * reals_per_vertex(layout);
