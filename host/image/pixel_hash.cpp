@@ -1,7 +1,11 @@
 #include "host/image/pixel_hash.hpp"
 
 #include <fmt/format.h>
+#if defined(__x86_64__)
+#include <xxh_x86dispatch.h>  // the same functions, for the widest vectors that the processor has
+#else
 #include <xxhash.h>
+#endif
 
 #include <bit>
 #include <new>
