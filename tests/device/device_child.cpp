@@ -4,15 +4,20 @@
 //   device_child transform COUNT...          hash of all batch transforms of COUNT vertices each; fills the cache
 //   device_child arrays COUNT...             the same of floats in separate arrays alone
 //   device_child points COUNT...             the same of points in one layout alone
+//   device_child split COUNT                 largest_allocation of the device, and how many of COUNT vertices that
+//                                            transform_vertices() transforms in place differ from the reference
 //   device_child stray_write                 a kernel that writes outside its buffer, for checkers that should see it
 // An Error is printed as "error MESSAGE" and its exit code is the process's.
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "host/batch/transform_reference.hpp"
+#include "host/batch/transform_vertices.hpp"
 #include "host/device/launch.hpp"
 #include "host/device/session.hpp"
 #include "host/error.hpp"
@@ -93,6 +98,30 @@ void print_transform_hash(const std::vector<std::size_t>& counts, Extent extent)
   fmt::print("hash {:016x}{:016x}\n", floats.value(), doubles.value());
 }
 
+// Vertices `first` to `first + count - 1` of an endless sequence.
+std::vector<float> sequence(std::size_t first, std::size_t count) {
+  std::vector<float> records(3 * count);
+  for (std::size_t i = 0; i < records.size(); ++i) records[i] = static_cast<float>((3 * first + i) % 100003);
+  return records;
+}
+
+void print_differences(std::size_t count) {
+  const auto session = Session::open({});
+  const auto transform = Transform<float>::points(testing::general_matrix<float>());
+  std::vector<float> records = sequence(0, count);
+  const auto vertices = Vertices<float>::xyz(records);
+  transform_vertices(*session, transform, vertices, vertices);
+  std::size_t different = 0;
+  constexpr std::size_t step = std::size_t{1} << 16;
+  for (std::size_t first = 0; first < count; first += step) {
+    std::vector<float> expected = sequence(first, std::min(step, count - first));
+    const auto some = Vertices<float>::xyz(expected);
+    transform_reference(transform, some, some);
+    for (std::size_t i = 0; i < expected.size(); ++i) different += expected[i] != records[3 * first + i];
+  }
+  fmt::print("largest_allocation {}\ndifferent {}\n", session->info().largest_allocation, different);
+}
+
 void write_outside() {
   const auto session = Session::open({});
   cl::Program program(session->context(),
@@ -118,6 +147,8 @@ int main(int count, char** values) {
       print_transform_hash(counts, arguments[0] == "transform" ? Extent::all
                                    : arguments[0] == "arrays"  ? Extent::arrays
                                                                : Extent::points);
+    } else if (arguments[0] == "split") {
+      print_differences(std::stoul(arguments.at(1)));
     } else if (arguments[0] == "stray_write") {
       write_outside();
     } else {
