@@ -12,6 +12,9 @@ foreach(scene_amount IN ITEMS heavy/10000 overdraw_ftb/3 crowd/1000 crowd_in_vie
   set_tests_properties(bench/draw_${scene}_${amount} PROPERTIES PASS_REGULAR_EXPRESSION "\"covered\":[1-9]")
 endforeach()
 
+add_test(NAME bench/plan_savings COMMAND morphcl_bench_plan ${PROJECT_SOURCE_DIR}/demos/held_frames.toml --rounds 1 --frames 3)
+set_tests_properties(bench/plan_savings PROPERTIES PASS_REGULAR_EXPRESSION "held_frames.toml,blank tiles,[0-9.]+,[0-9.]+")
+
 # The tool draws the shot of a scene as morphcl_bench_draw draws the scene.
 foreach(scene IN ITEMS morph heavy wire)
   add_test(NAME bench/shot_${scene} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/shot_smoke_test.sh $<TARGET_FILE:morphcl_bench_shot>

@@ -84,7 +84,7 @@ TEST(SingleCover, IsNeverProvedWhereAPixelIsCoveredTwice) {
     Mesh mesh;
     switch (trial % 5) {
       case 0:
-        mesh = make_torus({10, 6});
+        mesh = make_torus({6, 4});
         break;
       case 1:
         mesh = make_grid({3, 3});
