@@ -3,8 +3,8 @@
 //   morphcl_bench_encode [--size=WxH] [--benchmark_...]     size: of the pictures; 1920x1080 unless given
 //
 // Names: SCENE/CHANNELS/STEP. One thread. Bytes are those of the pixels; the label is the size of what comes out. The
-// pictures are the middle frames of the scenes that bench/run draws, with noise for the worst case. "blank" steps know
-// which blocks are background, as a renderer's frames do.
+// pictures are the middle frames of the scenes that bench/run draws, with noise for the worst case.
+
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
@@ -122,7 +122,7 @@ std::size_t stock_file(const FrameBuffer& frame, Imf::Compression compression, i
   if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, 0);
-  file.setFrameBuffer(planes_of(const_cast<FrameBuffer&>(frame), 0, 0));
+  file.setFrameBuffer(planes_to_write(frame));
   file.writePixels(frame.height());
   return bytes.size();
 }

@@ -23,18 +23,29 @@ std::uint8_t high_difference(std::uint16_t pair, std::uint16_t before) {
   return static_cast<std::uint8_t>((pair >> 8) - (before >> 8) + 128);
 }
 
-}  // namespace
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MORPHCL_WIDEST_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define MORPHCL_WIDEST_VECTORS
+#endif
 
-void ExrByteSplit::add(const void* bytes, std::size_t pairs) {
-  const auto* const in = static_cast<const unsigned char*>(bytes);
-  std::uint8_t* __restrict const even = even_, * __restrict const odd = odd_;
-  even[0] = low_difference(pair_at(in, 0), previous_);
-  odd[0] = high_difference(pair_at(in, 0), previous_);
-  // Compilers make vectors of this: pairs are loaded whole, at i and i - 1, and narrowed.
+// All pairs but the first. Compilers make vectors of this: pairs are loaded whole, at i and i - 1, and narrowed.
+MORPHCL_WIDEST_VECTORS
+void split_rest(const unsigned char* in, std::size_t pairs, std::uint8_t* __restrict even,
+                std::uint8_t* __restrict odd) {
   for (std::size_t i = 1; i < pairs; ++i) {
     even[i] = low_difference(pair_at(in, i), pair_at(in, i - 1));
     odd[i] = high_difference(pair_at(in, i), pair_at(in, i - 1));
   }
+}
+
+}  // namespace
+
+void ExrByteSplit::add(const void* bytes, std::size_t pairs) {
+  const auto* const in = static_cast<const unsigned char*>(bytes);
+  even_[0] = low_difference(pair_at(in, 0), previous_);
+  odd_[0] = high_difference(pair_at(in, 0), previous_);
+  split_rest(in, pairs, even_, odd_);
   previous_ = pair_at(in, pairs - 1);
   even_ += pairs;
   odd_ += pairs;

@@ -39,7 +39,7 @@ void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const
   if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, threads > 1 ? threads : 0);
-  file.setFrameBuffer(planes_of(const_cast<FrameBuffer&>(frame), 0, 0));  // OpenEXR's slices know no const
+  file.setFrameBuffer(planes_to_write(frame));
   file.writePixels(frame.height());
 }
 

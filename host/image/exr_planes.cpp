@@ -2,10 +2,13 @@
 
 namespace morphcl {
 
-Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y) {
+namespace {
+
+template <class Frame>
+Imf::FrameBuffer slices_on(Frame& frame, int first_x, int first_y) {
   const Imath::Box2i window({first_x, first_y}, {first_x + frame.width() - 1, first_y + frame.height() - 1});
   Imf::FrameBuffer slices;
-  const auto insert = [&](const char* name, Imf::PixelType type, auto* plane, double missing) {
+  const auto insert = [&](const char* name, Imf::PixelType type, const auto* plane, double missing) {
     slices.insert(
         name, Imf::Slice::Make(type, plane, window, sizeof *plane, frame.row_pitch() * sizeof *plane, 1, 1, missing));
   };
@@ -16,5 +19,11 @@ Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y) {
   if (frame.has_depth()) insert(depth_channel_name, Imf::FLOAT, frame.depth(), 0.0);
   return slices;
 }
+
+}  // namespace
+
+Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y) { return slices_on(frame, first_x, first_y); }
+
+Imf::FrameBuffer planes_to_write(const FrameBuffer& frame) { return slices_on(frame, 0, 0); }
 
 }  // namespace morphcl

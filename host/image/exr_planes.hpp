@@ -16,4 +16,7 @@ inline constexpr const char* depth_channel_name = "Z";
 // file lacks is read as 0, A as 1.
 Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y);
 
+// The same of the whole frame for a writer, which only reads them.
+Imf::FrameBuffer planes_to_write(const FrameBuffer& frame);
+
 }  // namespace morphcl

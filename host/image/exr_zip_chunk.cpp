@@ -14,15 +14,6 @@ static_assert(FrameBuffer::block_side == zip_chunk_lines, "a chunk is a row of b
 
 constexpr std::array<int, 4> alphabetical_planes{3, 2, 1, 0};  // A B G R of FrameBuffer's R G B A
 
-// A line of background, so that blank blocks need not be read from memory.
-constexpr std::size_t blank_pixels = 1024;
-constexpr std::array<std::uint16_t, blank_pixels> blank_color{};
-constexpr std::array<float, blank_pixels> blank_depth = [] {
-  std::array<float, blank_pixels> line{};
-  line.fill(background_depth);
-  return line;
-}();
-
 }  // namespace
 
 std::size_t line_bytes(const FrameBuffer& frame) {
@@ -39,34 +30,15 @@ void ExrZipChunks::begin(const FrameBuffer& frame) {
     if (buffer->size() < bytes) buffer->resize(bytes);
 }
 
-// Runs of blank blocks and of others.
-void ExrZipChunks::find_spans(int first_line) {
-  constexpr std::size_t side = FrameBuffer::block_side;
-  spans_.clear();
-  const int block_y = first_line / static_cast<int>(side);
-  const auto width = static_cast<std::size_t>(frame_->width());
-  for (std::size_t first = 0; first < width; first += side) {
-    const std::size_t count = std::min(side, width - first);
-    const bool blank = frame_->blank_block(static_cast<int>(first / side), block_y);
-    const bool goes_on = !spans_.empty() && spans_.back().blank == blank;
-    if (goes_on && (!blank || spans_.back().count + count <= blank_pixels))
-      spans_.back().count += count;
-    else
-      spans_.push_back({first, count, blank});
-  }
-}
-
 void ExrZipChunks::prepare(int first_line, int lines) {
   ExrByteSplit split(prepared_.data(), line_bytes(*frame_) * static_cast<std::size_t>(lines));
   for (int y = first_line; y < first_line + lines; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * frame_->row_pitch();
     if (frame_->has_color())
       for (const int plane : alphabetical_planes)
-        for (const Span& span : spans_)
-          split.add(span.blank ? blank_color.data() : frame_->color(plane) + row + span.first, span.count);
+        for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->color(plane) + row, span), span.count);
     if (frame_->has_depth())
-      for (const Span& span : spans_)
-        split.add(span.blank ? blank_depth.data() : frame_->depth() + row + span.first, 2 * span.count);
+      for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->depth() + row, span), 2 * span.count);
   }
   split.finish();
 }
@@ -88,8 +60,8 @@ void ExrZipChunks::store(int first_line, int lines) {
 
 std::span<const std::uint8_t> ExrZipChunks::encode(int first_line) {
   const int lines = std::min(zip_chunk_lines, frame_->height() - first_line);
-  find_spans(first_line);
-  const bool blank = std::all_of(spans_.begin(), spans_.end(), [](const Span& span) { return span.blank; });
+  find_spans(spans_, *frame_, first_line / zip_chunk_lines);
+  const bool blank = std::all_of(spans_.begin(), spans_.end(), [](const PixelSpan& span) { return span.blank; });
   const bool as_long = lines == lines_before_;
   const bool both_blank = blank && blank_before_;
   lines_before_ = lines;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "host/image/blank_spans.hpp"
 #include "host/image/frame_buffer.hpp"
 #include "host/image/zlib_encoder.hpp"
 
@@ -27,17 +28,12 @@ class ExrZipChunks {
   std::span<const std::uint8_t> encode(int first_line);
 
  private:
-  struct Span {
-    std::size_t first, count;  // pixels
-    bool blank;
-  };
-  void find_spans(int first_line);
   void prepare(int first_line, int lines);
   void store(int first_line, int lines);
 
   std::unique_ptr<ZlibEncoder> encoder_;
   const FrameBuffer* frame_ = nullptr;
-  std::vector<Span> spans_;  // of a line of the chunk
+  std::vector<PixelSpan> spans_;  // of a line of the chunk
   std::vector<std::uint8_t> prepared_, prepared_before_, data_;
   std::size_t data_bytes_ = 0;
   int lines_before_ = 0;  // 0: no chunk before

@@ -9,6 +9,9 @@
 
 #include <bit>
 #include <new>
+#include <vector>
+
+#include "host/image/blank_spans.hpp"
 
 namespace morphcl {
 
@@ -47,12 +50,16 @@ std::string PixelHasher::hex() const { return hex_digits(XXH3_128bits_digest(sta
 
 std::string pixel_hash(const FrameBuffer& frame) {
   PixelHasher hasher;
+  std::vector<PixelSpan> spans;
   const PixelHasher::Window window{0, 0, frame.width() - 1, frame.height() - 1};
   const auto add_plane = [&](std::string_view name, PixelHasher::Type type, const auto* plane) {
     hasher.begin_channel(name, type, window);
-    for (int y = 0; y < frame.height(); ++y)
-      hasher.add_row(plane + static_cast<std::size_t>(y) * frame.row_pitch(),
-                     static_cast<std::size_t>(frame.width()) * sizeof *plane);
+    constexpr int side = FrameBuffer::block_side;
+    for (int y = 0; y < frame.height(); ++y) {
+      if (y % side == 0) find_spans(spans, frame, y / side);
+      const auto* const row = plane + static_cast<std::size_t>(y) * frame.row_pitch();
+      for (const PixelSpan& span : spans) hasher.add_row(span_pixels(row, span), span.count * sizeof *row);
+    }
   };
   if (frame.has_color()) {
     constexpr std::array<std::string_view, 4> names{"A", "B", "G", "R"};

@@ -94,6 +94,24 @@ TEST(PixelHash, LeavesThePaddingOut) {
   EXPECT_EQ(pixel_hash(frame), before);
 }
 
+// Background that is known to be there is not read, and has the same hash.
+TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
+  FrameBuffer plain(150, 70, true, true), marked(150, 70, true, true);
+  std::fill_n(plain.depth(), plain.plane_elements(), background_depth);
+  plain.color(2)[5] = plain.color(2)[69 * plain.row_pitch() + 149] = 0x3c00;
+  std::fill_n(marked.depth(), marked.plane_elements(), 1.0f);  // is not looked at
+  const FrameBuffer::Planes planes = marked.planes();
+  for (std::size_t tile = 0; tile < planes.tiles; ++tile) planes.blank_blocks[tile] = 0xffff;
+  planes.blank_blocks[0] = 0xfffe;  // all but the first block
+  planes.blank_blocks[5] = 0xfffd;  // all but the one with the last pixel
+  for (const auto& [x, y] : {std::pair{0, 0}, {144, 64}})
+    for (std::size_t row = 0; row < FrameBuffer::block_side; ++row)
+      std::fill_n(planes.depth + (static_cast<std::size_t>(y) + row) * marked.row_pitch() + static_cast<std::size_t>(x),
+                  FrameBuffer::block_side, background_depth);
+  planes.color[2][5] = planes.color[2][69 * marked.row_pitch() + 149] = 0x3c00;
+  EXPECT_EQ(pixel_hash(marked), pixel_hash(plain));
+}
+
 TEST(PixelHash, TellsChannelsAndWindowsOfTheSameValues) {
   std::set<std::string> hashes;
   for (const auto& [width, height] : {std::pair{4, 6}, {6, 4}, {24, 1}, {1, 24}, {12, 2}})
