@@ -1,0 +1,150 @@
+// A plan in words: what it says about blank tiles, earlier frames, costs and memory is true of what is drawn.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "host/geometry/solids.hpp"
+#include "host/render/plan/earlier_frames.hpp"
+#include "host/render/plan/report.hpp"
+#include "host/render/plan/screen_reach.hpp"
+#include "host/render/reference_renderer.hpp"
+#include "tests/render/scene_builder.hpp"
+#include "tests/render/test_scenes.hpp"
+
+namespace morphcl::test {
+namespace {
+
+const PlanNote* find_note(const PlanReport& report, const std::string& item) {
+  const auto found =
+      std::find_if(report.notes.begin(), report.notes.end(), [&](const PlanNote& note) { return note.item == item; });
+  return found == report.notes.end() ? nullptr : &*found;
+}
+
+PlanReport report_of(const Scene& scene, std::int64_t frame, const PlanOptions& options = {}) {
+  return explain(Planner(scene, options), scene, options, frame);
+}
+
+// A box that morphs out in frames 0 to 10, stays until 14 and comes back until 24, beside one that never moves.
+Scene there_and_back() {
+  SceneBuilder b(320, 192);
+  b.add(make_pyramid_to_cube(), Shading::flat, place({-2.2, -1, -0.65}, 0.01));
+  b.add(make_cube(), Shading::flat, place({1.2, 0, 0}, 0.4));
+  Timeline& timeline = b.look({0, 0, 6}).scene().timeline;
+  const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };
+  timeline.weights[0].tracks.push_back({0, Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
+                                                 {ticks(0), ticks(10), ticks(14), ticks(24)}, {0, 1, 1, 0})});
+  b.scene().frames = {{0, 24, 1}};
+  return b.scene();
+}
+
+TEST(ScreenReach, HoldsEveryPixelThatIsDrawn) {
+  const auto renderer = make_reference_renderer();
+  std::size_t blank = 0;
+  for (const TestScene& test : test_scenes(333, 211))
+    for (const std::int64_t frame : test.frames) {
+      const FramePlan plan = plan_frame(test.scene, frame);
+      const ScreenReach reach = find_reach(plan);
+      ASSERT_EQ(reach.tile_columns, 6);
+      ASSERT_EQ(reach.tile_rows, 4);
+      FrameBuffer pixels(plan.width, plan.height, true, true);
+      renderer->render(plan, pixels);
+      for (int y = 0; y < plan.height; ++y)
+        for (int x = 0; x < plan.width; ++x)
+          ASSERT_TRUE(pixels.color(3)[y * pixels.row_pitch() + x] == 0 || reach.reached[y / 64 * 6 + x / 64])
+              << test.name << " frame " << frame << " pixel " << x << ' ' << y;
+      blank += 24 - reach.reached_tiles;
+      EXPECT_LE(reach.reached_pixels, 333.0 * 211.0);
+    }
+  EXPECT_GT(blank, 50u);
+}
+
+TEST(ScreenReach, CountsPixelsOfCutTilesAndBlankRows) {
+  SceneBuilder b(100, 200);
+  b.add(make_cube(), Shading::flat, place({0.2, 0, 0}, 0.01));
+  const ScreenReach reach = find_reach(plan_frame(b.look({0, 0, 5}).scene(), 0));
+  EXPECT_EQ(reach.reached_tiles, 1u);  // right of the middle at x = 50: the tile from 64 to 100, if it reaches so far
+  EXPECT_EQ(reach.blank_rows, 200 - 64);
+  EXPECT_EQ(reach.reached_pixels, 64.0 * 64.0);
+}
+
+TEST(PlanReport, NamesUnchangedObjects) {
+  const Scene scene = there_and_back();
+  const PlanReport moving = report_of(scene, 5), held = report_of(scene, 12);
+  ASSERT_TRUE(find_note(moving, "unchanged objects"));
+  EXPECT_EQ(find_note(moving, "unchanged objects")->reason,
+            "1 of 2 as in frame 4: drawn after it, their vertices stay");
+  EXPECT_EQ(find_note(held, "unchanged objects")->reason, "2 of 2 as in frame 11: drawn after it, their vertices stay");
+  EXPECT_FALSE(find_note(held, "unchanged objects")->done);
+  EXPECT_TRUE(find_note(report_of(scene, 12, {.leave_out = false}), "unchanged objects")->done);
+}
+
+TEST(PlanReport, FindsTheLatestEarlierFrameWithTheSamePicture) {
+  const Scene scene = there_and_back();
+  const Planner planner(scene);
+  const auto equal = [&](std::int64_t frame) { return find_equal_frame(planner, scene, planner.plan(frame)); };
+  EXPECT_EQ(equal(0), std::nullopt);
+  EXPECT_EQ(equal(10), std::nullopt);
+  EXPECT_EQ(equal(13), 12);
+  EXPECT_EQ(equal(19), 5);
+  EXPECT_EQ(equal(30), 24);  // beyond the shot the last values hold
+  Scene odd_frames = scene;
+  odd_frames.frames = {{1, 23, 2}};
+  EXPECT_EQ(find_equal_frame(planner, odd_frames, planner.plan(13)), 11);
+  EXPECT_EQ(find_note(report_of(scene, 19), "equal frame")->reason,
+            "the picture of frame 5: drawn after it, it is copied");
+  EXPECT_EQ(find_note(report_of(scene, 5), "equal frame"), nullptr);
+}
+
+TEST(PlanReport, CostsAreThereForWhatIsDoneAndForWhatIsSaved) {
+  for (const TestScene& test : test_scenes(150, 90)) {
+    const PlanReport report = report_of(test.scene, 0);
+    EXPECT_GT(report.milliseconds, 0) << test.name;
+    for (const PlanNote& note : report.notes) {
+      EXPECT_TRUE(std::isfinite(note.milliseconds) && note.milliseconds >= 0) << test.name << ": " << note.item;
+      if (note.item == "objects" || note.item == "vertex normals") {
+        EXPECT_EQ(note.milliseconds > 0, note.done) << test.name << ": " << note.item;
+      }
+    }
+  }
+}
+
+TEST(PlanReport, CostAndMemoryGrowWithTheWork) {
+  const auto report = [](int segments, int width, int targets) {
+    SceneBuilder b(width, width / 2);
+    Mesh mesh = make_sphere({segments, segments / 2});
+    for (int i = 0; i < targets; ++i)
+      mesh.targets.push_back({std::to_string(i), TargetForm::delta, mesh.positions, {}, {}});
+    b.add(std::move(mesh), Shading::smooth);
+    return report_of(b.look({0, 0, 4}).scene(), 0);
+  };
+  const PlanReport least = report(32, 256, 0), finer = report(320, 256, 0), larger = report(32, 2560, 0),
+                   rigged = report(32, 256, 50);
+  EXPECT_GT(finer.milliseconds, least.milliseconds);
+  EXPECT_GT(larger.milliseconds, least.milliseconds);
+  EXPECT_EQ(larger.memory.pixels, 100 * least.memory.pixels);
+  EXPECT_GT(find_note(rigged, "idle morph targets")->milliseconds, 0);
+
+  const auto padded = [](std::size_t count) { return (count + 15) / 16 * 16; };
+  for (const auto& [memory, segments, targets] :
+       {std::tuple(least.memory, 32, 0), {finer.memory, 320, 0}, {rigged.memory, 32, 50}}) {
+    const Mesh mesh = make_sphere({segments, segments / 2});
+    const std::size_t vertices = padded(mesh.positions.size()), triangles = padded(mesh.triangles.size());
+    EXPECT_EQ(memory.vertices, vertices * (16 + 16)) << "a record and a normal a vertex";
+    EXPECT_EQ(memory.meshes, vertices * (6 + 3 * targets) * 4 + triangles * 3 * 4) << "targets as well, used or not";
+  }
+}
+
+TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {
+  SceneBuilder b(64, 48);
+  b.add(make_sphere({512, 256}), Shading::smooth);
+  const MemoryNeed need = report_of(b.look({0, 0, 4}).scene(), 0).memory;
+  EXPECT_EQ(exceeded_limit(need, need.largest_buffer), "");
+  const std::string text = exceeded_limit(need, std::size_t{1} << 20);
+  EXPECT_NE(text.find(need.largest_name), std::string::npos) << text;
+  EXPECT_NE(text.find("the device allocates at most 1.0 MiB"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace morphcl::test
