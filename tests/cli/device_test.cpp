@@ -55,6 +55,20 @@ TEST_F(Device, AnUnknownNameListsThoseThereAre) {
   EXPECT_EQ(files_ending_in(".exr"), 0u);
 }
 
+// PoCL calls itself a device of 1 GiB then, and allocates a quarter of it at once.
+TEST_F(Device, MeshesOverItsLimitAreRefusedWithBothNumbersOnEveryFrame) {
+  plant("huge.toml", "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [2400, 2400]\n");
+  ToolOptions small_device = with_cache();
+  small_device.environment.emplace("POCL_MEMORY_LIMIT", "1");
+  const ToolResult result = run_tool({"render", path("huge.toml"), "--frames", "0-1", "--json"}, small_device);
+  EXPECT_EQ(result.code, 65) << result.err;
+  ASSERT_EQ(result.out_lines().size(), 3u) << result.out;
+  for (int frame = 0; frame < 2; ++frame)
+    EXPECT_THAT(json::parse(result.out_lines()[frame]).value("error", ""),
+                testing::AllOf(HasSubstr("take 2"), HasSubstr("256 MiB")));
+  EXPECT_EQ(files_ending_in(".exr"), 0u);
+}
+
 TEST_F(Device, TheListHasAVerdictForEach) {
   const ToolResult result = run_tool({"devices", "--json"}, with_cache());
   EXPECT_EQ(result.code, 0) << result.err;
