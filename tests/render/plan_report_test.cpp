@@ -78,6 +78,7 @@ TEST(PlanReport, NamesUnchangedObjects) {
   EXPECT_EQ(find_note(held, "unchanged objects")->reason, "2 of 2 as in frame 11: drawn after it, their vertices stay");
   EXPECT_FALSE(find_note(held, "unchanged objects")->done);
   EXPECT_TRUE(find_note(report_of(scene, 12, {.leave_out = false}), "unchanged objects")->done);
+  EXPECT_EQ(find_note(report_of(scene, 0), "unchanged objects"), nullptr) << "the shot's first frame";
 }
 
 TEST(PlanReport, FindsTheLatestEarlierFrameWithTheSamePicture) {

@@ -5,22 +5,25 @@
 
 namespace morphcl {
 
-// Nanoseconds for each unit of work. Measured once: PoCL 3.1 on 2 cores of an AVX-512 server processor, two threads,
-// pictures of 1920 x 1080, with bench/plan_savings.cpp and bench/draw.cpp (docs/plan.md has the measurements). Other
-// machines differ by a factor, which is the same for most units: shares hold better than times.
+// Nanoseconds for each unit of work. Measured once: PoCL 3.1 on 2 cores of an AVX-512 server processor, two threads, as
+// differences between frames that have more and less of the unit (docs/plan.md). Other machines differ by a factor that
+// most units share: shares hold better than times.
 struct CostModel {
-  double frame = 150e3;  // launches and waits, whatever the frame holds
-  double draw = 400;     // an object: evaluated, judged, written to the tables
-  double vertex = 3.0;   // transformed, snapped and stored
-  double target_vertex = 1.5, smooth_vertex = 2.0, colored_vertex = 2.0;
-  double divided_vertex = 0.5, clipped_vertex = 0.3;
-  double triangle = 6.0;  // set up and binned
-  double line = 20.0;
-  double face_light = 8.0;                        // a triangle and a light
-  double covered_pixel = 0.15;                    // visibility and shading of a pixel that something may cover
-  double depth_test = 0.05;                       // a pixel
-  double pixel_light = 0.35, tinted_pixel = 0.3;  // smooth shading: a pixel and a light; vertex colours: a pixel
-  double byte = 0.04;                             // of a pixel written
+  double frame = 200e3;  // launches and waits, whatever the frame holds
+  double draw = 450;     // an object: evaluated, judged, written to the tables
+  double vertex = 1.8;   // transformed, snapped and stored
+  double divided_vertex = 0.2, clipped_vertex = 0.05;
+  double target_vertex = 1.1;  // an attribute of a target's vertex
+  double smooth_vertex = 0.8, colored_vertex = 0.8;
+  double triangle = 1.3;       // set up and binned
+  double covered_share = 0.6;  // of the tiles that an object's box may touch: the pixels that it covers, in demos/
+  double line = 14.0;          // the same, and drawn
+  double face_light = 2.2;     // a triangle and a light
+  double covered_pixel = 0.06, depth_test = 0.015;  // a pixel that something covers
+  double smooth_pixel = 0.34, pixel_light = 0.10;   // smooth shading: a pixel; a pixel and a light
+  double span = 6.0, smooth_span = 9.0;             // a triangle in a row of pixels; the same, smoothly lit
+  double tinted_pixel = 0.30;                       // vertex colours: a pixel
+  double byte = 0.02;                               // of a pixel written
 };
 
 // Milliseconds of this frame.

@@ -17,6 +17,12 @@ bool same_vertices(const Draw& a, const Draw& b) {
          std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end());
 }
 
+std::vector<std::int64_t> frames_before(const Scene& scene, std::int64_t frame) {
+  std::vector<std::int64_t> frames = frame_numbers(scene.frames);
+  frames.erase(std::lower_bound(frames.begin(), frames.end(), frame), frames.end());
+  return frames;
+}
+
 // A frame in which the motion goes wrong has nothing in common with this one.
 std::optional<FramePlan> try_plan(const Planner& planner, std::int64_t frame) try {
   return planner.plan(frame);
@@ -26,20 +32,22 @@ std::optional<FramePlan> try_plan(const Planner& planner, std::int64_t frame) tr
 
 }  // namespace
 
-std::size_t count_unchanged_draws(const Planner& planner, const FramePlan& plan) {
-  const std::optional<FramePlan> before = try_plan(planner, plan.frame - 1);
-  if (!before) return 0;
-  std::size_t unchanged = 0, at = 0;
+std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, const Scene& scene, const FramePlan& plan) {
+  const std::vector<std::int64_t> frames = frames_before(scene, plan.frame);
+  if (frames.empty()) return std::nullopt;
+  const std::optional<FramePlan> before = try_plan(planner, frames.back());
+  if (!before) return std::nullopt;
+  UnchangedDraws unchanged{frames.back(), 0};
+  std::size_t at = 0;
   for (const Draw& draw : plan.draws) {
     while (at < before->draws.size() && before->draws[at].object < draw.object) ++at;
-    if (at < before->draws.size()) unchanged += same_vertices(draw, before->draws[at]);
+    if (at < before->draws.size()) unchanged.count += same_vertices(draw, before->draws[at]);
   }
   return unchanged;
 }
 
 std::optional<std::int64_t> find_equal_frame(const Planner& planner, const Scene& scene, const FramePlan& plan) {
-  std::vector<std::int64_t> frames = frame_numbers(scene.frames);
-  frames.erase(std::lower_bound(frames.begin(), frames.end(), plan.frame), frames.end());
+  const std::vector<std::int64_t> frames = frames_before(scene, plan.frame);
   const PlanDigest digest = pixel_digest(plan);
   const std::size_t looked_at = std::min(frames.size(), most_frames);
   for (std::size_t i = 0; i < looked_at; ++i) {

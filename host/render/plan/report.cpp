@@ -153,11 +153,12 @@ class Notes {
   }
 
   void earlier_frames() {
-    if (const std::size_t unchanged = count_unchanged_draws(planner_, plan_))
+    const std::optional<UnchangedDraws> unchanged = count_unchanged_draws(planner_, scene_, plan_);
+    if (unchanged && unchanged->count > 0)
       note_idle("unchanged objects", options_.kept_vertices,
-                fmt::format("{} of {} as in frame {}: drawn after it, their vertices stay", unchanged,
-                            plan_.draws.size(), plan_.frame - 1),
-                costs_.vertices * static_cast<double>(unchanged) / static_cast<double>(plan_.draws.size()));
+                fmt::format("{} of {} as in frame {}: drawn after it, their vertices stay", unchanged->count,
+                            plan_.draws.size(), unchanged->frame),
+                costs_.vertices * static_cast<double>(unchanged->count) / static_cast<double>(plan_.draws.size()));
     if (const auto equal = find_equal_frame(planner_, scene_, plan_))
       note_idle("equal frame", options_.leave_out,
                 fmt::format("the picture of frame {}: drawn after it, it is copied", *equal), costs_.everything);

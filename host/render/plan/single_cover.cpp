@@ -14,7 +14,8 @@ namespace {
 using reference::ScreenVertex;
 using reference::Vertex;
 
-// The proof takes about 0.1 us a triangle and saves up to 2 % of a frame: it is for the large triangles of small meshes.
+// The proof takes about 0.1 us a triangle and saves up to 2 % of a frame: it is for the large triangles of small
+// meshes.
 constexpr std::size_t most_triangles = 64;
 
 std::vector<Vertex> project(const FramePlan& plan) {
