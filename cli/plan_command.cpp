@@ -31,7 +31,8 @@ void print_json(const PlanReport& report, const std::string& exceeded) {
   for (const PlanNote& note : report.notes) {
     JsonLine line("plan");
     line.add("frame", report.plan.frame).add("item", note.item).add("done", note.done).add("reason", note.reason);
-    print_result(line.add("estimated_ms", note.milliseconds).str());
+    line.add("estimated_ms", note.milliseconds);
+    print_result(line.add("share", note.milliseconds / report.milliseconds).str());
   }
   JsonLine line("plan_total");
   line.add("frame", report.plan.frame).add("estimated_ms", report.milliseconds);

@@ -34,6 +34,11 @@ TEST_F(Plan, EndsWithTheFramesCostAndMemory) {
   EXPECT_THAT(table.out, Not(HasSubstr("too large")));
   const ToolResult result = run_tool({"plan", path("shot.toml"), "--json"});
   ASSERT_FALSE(result.out.empty());
+  double largest_share = 0;
+  for (const std::string& line : result.out_lines())
+    if (const json note = json::parse(line); note["type"] == "plan")
+      largest_share = std::max(largest_share, note.at("share").get<double>());
+  EXPECT_GT(largest_share, 0);
   const json total = json::parse(result.out_lines().back());
   EXPECT_EQ(total.at("type"), "plan_total");
   EXPECT_GT(total.at("estimated_ms"), 0);
