@@ -206,6 +206,15 @@ TEST(ExrZip, RepeatedChunksAreTheirOwnPixels) {
   }
 }
 
+// A short chunk begins like the long one above it where everything is the same.
+TEST(ExrZip, ShortLastChunkIsItsOwnLength) {
+  const FrameBuffer frame(40, 40, true, true);
+  for (const ExrChunk& chunk : chunks_of(our_file(frame), 3).chunks) {
+    const std::size_t bytes = line_bytes(frame) * (chunk.first_line == 32 ? 8 : 16);
+    EXPECT_EQ(inflated(chunk, bytes).size(), bytes);
+  }
+}
+
 // What an encoder keeps from one frame must not come out of the next.
 TEST(ExrZip, FramesOfOtherShapesFollowEachOther) {
   for (int round = 0; round < 2; ++round)
