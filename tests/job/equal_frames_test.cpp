@@ -227,6 +227,18 @@ TEST(EqualFrames, ResumedJobsCopyToo) {
 
 PlanDigest digest_of(std::uint64_t i) { return {i, ~i}; }
 
+TEST(EqualFrames, PictureIsClaimedAgainAfterItsFrameFailed) {
+  EqualFrames frames;
+  auto first = std::get<WrittenFramePromise>(frames.find_or_claim(digest_of(1)));
+  EXPECT_TRUE(std::holds_alternative<WrittenFrameFuture>(frames.find_or_claim(digest_of(1)))) << "is being written";
+  first.set_value({});
+  auto second = std::get<WrittenFramePromise>(frames.find_or_claim(digest_of(1)));
+  second = {};  // given up
+  auto third = std::get<WrittenFramePromise>(frames.find_or_claim(digest_of(1)));
+  third.set_value({7, 1000, "hash"});
+  EXPECT_EQ(std::get<WrittenFrameFuture>(frames.find_or_claim(digest_of(1))).get().frame, 7);
+}
+
 TEST(EqualFrames, PicturesInMemoryAreBounded) {
   EqualFrames frames;
   std::vector<WrittenFramePromise> promises;
