@@ -1,5 +1,6 @@
 """Tests of what bench/run computes from the figures: python3 -m unittest discover bench/tests -p '*_test.py'"""
 
+import math
 import pathlib
 import sys
 import tempfile
@@ -55,11 +56,17 @@ class Processes(unittest.TestCase):
 
 
 class Growth(unittest.TestCase):
-    def test_spread_is_of_the_points_in_the_range_less_the_base(self):
-        points = [(10, 100), (100, 300), (1000, 1200)]
-        self.assertAlmostEqual(growth_checks.spread_each(points, 50, 2000), 3 / 1.2)
-        self.assertAlmostEqual(growth_checks.spread_each(points, 50, 2000, 100), 2 / 1.1)
-        self.assertIsNone(growth_checks.spread_each(points, 500, 2000))
+    def test_spread_of_the_time_of_one(self):
+        self.assertAlmostEqual(growth_checks.spread_each([(100, 300), (1000, 1200)]), 3 / 1.2)
+        self.assertIsNone(growth_checks.spread_each([(100, 300)]))
+
+    def test_spread_of_the_time_of_a_further_one(self):
+        self.assertAlmostEqual(growth_checks.spread_further([(10, 100), (20, 110), (40, 170)]), 3)
+        self.assertIsNone(growth_checks.spread_further([(10, 100), (20, 110)]))
+        self.assertEqual(growth_checks.spread_further([(10, 100), (20, 90), (40, 170)]), math.inf)
+
+    def test_only_the_wanted_points(self):
+        self.assertEqual(growth_checks.at([(3, 1), (1, 2), (2, 3)], (1, 3)), [(1, 2), (3, 1)])
 
     def test_line_through_memory(self):
         growth = memory.Growth("n", "n", [(0, 50), (2**20, 150), (2 * 2**20, 250)])
@@ -76,8 +83,8 @@ class Growth(unittest.TestCase):
                   "objects": {growth_checks.ALL_OBJECTS: [(100_000, 7)], growth_checks.VISIBLE_OBJECTS: [(100_000, 2)]},
                   "targets": {"morphcl": [(5, 10), (256, 11)]}}
         found = {statement: value for statement, _, value in growth_checks.checks(curves, [])}
-        self.assertAlmostEqual(found["time a pixel, 1080p to 8K, all covered: largest / smallest"], 1)
-        self.assertIsNone(found["time a pixel, 1080p to 8K, a fifth covered: largest / smallest"])
+        self.assertAlmostEqual(found["time / pixels, 1080p to 8K, all covered: largest / smallest"], 1)
+        self.assertIsNone(found["time / pixels, 1080p to 8K, a fifth covered: largest / smallest"])
         self.assertAlmostEqual(found["100,000 objects against only those in view: times the time"], 3.5)
         self.assertAlmostEqual(found["256 targets with 5 active against 5 targets: times the time"], 1.1)
         lines = growth_checks.table(curves, [])
