@@ -55,6 +55,25 @@ TEST_F(Render, DefaultNamesAndTheClosingLine) {
                                             "shot.0004.exr", "shot.toml"}));
 }
 
+// After its last key the cube stands still.
+TEST_F(Render, FramesWithTheSamePictureAreCopiedAndReportedSo) {
+  const ToolResult result = render({"--frames", "0-7", "--json", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  std::map<int, json> frames;
+  for (const json& frame : objects(result, "frame")) frames[frame.at("frame")] = frame;
+  ASSERT_EQ(frames.size(), 8u);
+  for (const auto& [number, frame] : frames) {
+    EXPECT_EQ(frame.at("status"), number < 5 ? "rendered" : "copied") << number;
+    EXPECT_EQ(frame.at("hash") == frames.at(4).at("hash"), number >= 4) << number;
+  }
+  const json summary = objects(result, "summary").at(0);
+  EXPECT_EQ(summary.at("rendered"), 5);
+  EXPECT_EQ(summary.at("copied"), 3);
+  EXPECT_THAT(render({"--frames", "0-7"}).out, HasSubstr("5 frames rendered, 3 copied on "));
+  EXPECT_EQ(hashes({"--frames", "0-7", "--plan", "none"}, "rendered").size(), 8u);
+  EXPECT_EQ(hashes({"--frames", "7", "--plan", "none"}, "rendered").at(7), frames.at(7).at("hash"));
+}
+
 TEST_F(Render, QuietPrintsNothing) {
   const ToolResult result = render({"--quiet"});
   EXPECT_EQ(result.code, 0);
