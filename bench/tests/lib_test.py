@@ -87,9 +87,10 @@ class Growth(unittest.TestCase):
         self.assertIsNone(found["time / pixels, 1080p to 8K, a fifth covered: largest / smallest"])
         self.assertAlmostEqual(found["100,000 objects against only those in view: times the time"], 3.5)
         self.assertAlmostEqual(found["256 targets with 5 active against 5 targets: times the time"], 1.1)
-        lines = growth_checks.table(curves, [])
-        self.assertTrue(any("3.50 | **no**" in line for line in lines))
-        self.assertTrue(any("1.10 | yes" in line for line in lines))
+        busy = {**curves, "targets": {"morphcl": [(5, 10), (256, 30)]}}
+        lines = growth_checks.table(curves, busy, [])
+        self.assertTrue(any("3.50 | **no** | 3.50" in line for line in lines))
+        self.assertTrue(any("1.10 | yes | 3.00" in line for line in lines))
 
     def test_medians_of_the_rounds(self):
         rows = [{"series": "s", "curve": "c", "x": x, "frame_ms": ms} for x, ms in ((2, 9), (1, 1), (1, 8), (1, 3))]
