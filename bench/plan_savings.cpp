@@ -1,17 +1,17 @@
 // morphcl_bench_plan SUBJECT...: what each item that a plan leaves out saves. A subject is a shot file or a scene of
 // the benchmarks.
 //
-// A frame is planned and rendered with the item left out and with it done, everything else left out in both; the runs
-// of all variants follow each other in turn, round after round, each on a renderer and a picture of its own, so that
-// what one keeps from frame to frame is its own. A round's figure is the mean over the frames after the first two; the
-// table has the medians over the rounds. Prints CSV: subject, item, ms left out, ms done.
+// A frame is planned and rendered with the item left out and with it done, everything else left out in both. Both ways
+// run the frames in turn, round after round, and who is first changes; each has a renderer and a picture of its own, so
+// that what one keeps from frame to frame is its own. A round's figures are the means over the frames after the first
+// two. Prints CSV: subject, item, medians over the rounds in ms left out and done, and what is saved in percent of the
+// frame with the item done: median, lowest and highest of the rounds.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <functional>
 #include <unordered_set>
 
@@ -44,17 +44,17 @@ Scene make_subject(const std::string& name, int frames) {
 
 // One way to draw the subject, with what it keeps from frame to frame.
 struct Variant {
-  Variant(std::string item_, const Scene& subject, const PlanOptions& options, const std::shared_ptr<Session>& session,
+  Variant(const Scene& subject, const PlanOptions& options, const std::shared_ptr<Session>& session,
           const std::function<void(ImageSettings&)>& change = {})
-      : item(std::move(item_)), scene(subject) {
+      : scene(subject) {
     if (change) change(scene.image);
     planner = std::make_unique<Planner>(scene, options);
     renderer = make_device_renderer(session);
     pixels = std::make_unique<FrameBuffer>(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
   }
 
-  // Draws the frames and remembers what one of them took on average.
-  void run(const std::vector<std::int64_t>& frames, bool skips_equal) {
+  // Draws the frames; what one of them took on average, in milliseconds.
+  double run(const std::vector<std::int64_t>& frames, bool skips_equal) {
     std::unordered_set<PlanDigest> drawn;
     std::chrono::steady_clock::duration total{};
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -63,42 +63,57 @@ struct Variant {
       if (!skips_equal || drawn.insert(pixel_digest(plan)).second) renderer->render(plan, *pixels);
       if (i >= first_timed_frame) total += std::chrono::steady_clock::now() - start;
     }
-    rounds.push_back(std::chrono::duration<double, std::milli>(total).count() /
-                     static_cast<double>(frames.size() - first_timed_frame));
+    return std::chrono::duration<double, std::milli>(total).count() /
+           static_cast<double>(frames.size() - first_timed_frame);
   }
-  double median() {
-    std::sort(rounds.begin(), rounds.end());
-    return rounds[rounds.size() / 2];
-  }
-
-  std::string item;
   Scene scene;
   std::unique_ptr<Planner> planner;
   std::unique_ptr<Renderer> renderer;
   std::unique_ptr<FrameBuffer> pixels;
-  std::vector<double> rounds;
 };
 
-std::deque<Variant> make_variants(const Scene& scene, const std::shared_ptr<Session>& session) {
-  std::deque<Variant> variants;  // which stay where they are, as planners refer to their scenes
-  const auto add = [&](const char* item, const PlanOptions& options,
-                       const std::function<void(ImageSettings&)>& change = {}) {
-    variants.emplace_back(item, scene, options, session, change);
-  };
-  add("", {});
-  add("objects out of view", {.objects_out_of_view = false});
-  add("idle morph targets", {.idle_targets = false});
-  add("normals and light", {.normals = false});
-  add("clipping", {.clipping = false});
-  add("perspective divide", {.divide = false});
-  add("depth test", {.depth_test = false});
-  add("unchanged objects", {.kept_vertices = false});
-  add("blank tiles", {.blank_tiles = false});
-  if (!scene.image.color) add("RGBA", {}, [](ImageSettings& image) { image.color = true; });
-  if (!scene.image.depth) add("Z", {}, [](ImageSettings& image) { image.depth = true; });
-  add("all of these", {.leave_out = false});
-  add("equal frames", {});
-  return variants;
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// The two ways in turn: `lean` has the item left out.
+void compare(const std::string& name, const std::string& item, const std::function<double()>& lean,
+             const std::function<double()>& full, int rounds) {
+  std::vector<double> left_out, done, saved;
+  for (int round = -1; round < rounds; ++round) {
+    double lean_ms = 0, full_ms = 0;
+    if (round % 2 == 0)
+      lean_ms = lean(), full_ms = full();
+    else
+      full_ms = full(), lean_ms = lean();
+    if (round < 0) continue;  // warm-up
+    left_out.push_back(lean_ms), done.push_back(full_ms), saved.push_back(100 * (1 - lean_ms / full_ms));
+  }
+  const auto [lowest, highest] = std::minmax_element(saved.begin(), saved.end());
+  fmt::print("{},{},{:.4f},{:.4f},{:.1f},{:.1f},{:.1f}\n", name, item, median(left_out), median(done), median(saved),
+             *lowest, *highest);
+}
+
+struct Item {
+  const char* name;
+  PlanOptions done;
+  std::function<void(ImageSettings&)> change = {};
+};
+
+std::vector<Item> items(const ImageSettings& image) {
+  std::vector<Item> list = {{"objects out of view", {.objects_out_of_view = false}},
+                            {"idle morph targets", {.idle_targets = false}},
+                            {"normals and light", {.normals = false}},
+                            {"clipping", {.clipping = false}},
+                            {"perspective divide", {.divide = false}},
+                            {"depth test", {.depth_test = false}},
+                            {"unchanged objects", {.kept_vertices = false}},
+                            {"blank tiles", {.blank_tiles = false}},
+                            {"all of these", {.leave_out = false}}};
+  if (!image.color) list.push_back({"RGBA", {}, [](ImageSettings& i) { i.color = true; }});
+  if (!image.depth) list.push_back({"Z", {}, [](ImageSettings& i) { i.depth = true; }});
+  return list;
 }
 
 void measure(const std::string& name, const Settings& settings, const std::shared_ptr<Session>& session) {
@@ -106,22 +121,22 @@ void measure(const std::string& name, const Settings& settings, const std::share
   std::vector<std::int64_t> frames = frame_numbers(scene.frames);
   while (frames.size() <= first_timed_frame) frames.push_back(frames.back());
   if (frames.size() > static_cast<std::size_t>(settings.frames)) frames.resize(settings.frames);
-  std::deque<Variant> variants = make_variants(scene, session);
-  for (int round = 0; round < settings.rounds; ++round)
-    for (Variant& variant : variants) variant.run(frames, variant.item == "equal frames");
-  const double usual = variants[0].median();
-  for (std::size_t i = 1; i < variants.size(); ++i) {
-    const double other = variants[i].median();
-    const bool skips = variants[i].item == "equal frames";
-    fmt::print("{},{},{:.4f},{:.4f}\n", name, variants[i].item, skips ? other : usual, skips ? usual : other);
+  Variant lean(scene, {}, session);
+  const auto run_lean = [&] { return lean.run(frames, false); };
+  for (const Item& item : items(scene.image)) {
+    Variant full(scene, item.done, session, item.change);
+    compare(
+        name, item.name, run_lean, [&] { return full.run(frames, false); }, settings.rounds);
   }
+  compare(
+      name, "equal frames", [&] { return lean.run(frames, true); }, run_lean, settings.rounds);
 }
 
 void run(const Settings& settings) {
   SessionOptions options;
   options.threads = prepare_process(settings.threads);
   const std::shared_ptr<Session> session = Session::open(options);
-  fmt::print("subject,item,left_out_ms,done_ms\n");
+  fmt::print("subject,item,left_out_ms,done_ms,saved_percent,lowest,highest\n");
   for (const std::string& subject : settings.subjects) measure(subject, settings, session);
   session->store_programs();
 }
