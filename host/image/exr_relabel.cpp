@@ -1,5 +1,6 @@
 #include "host/image/exr_relabel.hpp"
 
+#include <ImfChannelList.h>
 #include <ImfHeader.h>
 #include <ImfVersion.h>
 
@@ -21,13 +22,16 @@ void relabel(std::vector<char>& bytes, std::span<const char> source, const Frame
   MemoryInput input(source);
   std::array<std::int32_t, 2> opening{};
   input.read(reinterpret_cast<char*>(opening.data()), sizeof opening);
-  Imf::Header header;
+  Imf::Header old;
   int version = opening[1];
-  header.readFrom(input, version);
+  old.readFrom(input, version);
   const std::size_t old_table = input.tellg();
 
-  hash = text_attribute(header, pixel_hash_attribute);
-  header.erase("timeCode");  // not every frame has one
+  hash = text_attribute(old, pixel_hash_attribute);
+  // Not the old header itself: it may have attributes, like a time code, that this frame has not.
+  Imf::Header header(old.displayWindow(), old.dataWindow());
+  header.compression() = old.compression();
+  header.channels() = old.channels();
   add_attributes(header, attributes, hash);
   MemoryOutput output(bytes);
   output.write(reinterpret_cast<const char*>(opening.data()), sizeof opening);

@@ -86,7 +86,7 @@ RenderJob copying_job(const std::string& pattern, std::vector<std::int64_t> fram
 }
 
 TEST(EqualFrames, TheWayBackIsCopiedAndHasTheBytesOfDrawnFrames) {
-  for (const char* compression : {"zip", "zip:small", "none", "rle", "piz", "dwaa"}) {
+  for (const char* compression : {"zip", "rle", "dwaa"}) {
     SCOPED_TRACE(compression);
     const TemporaryFolder folder;
     Scene scene = ping_pong();
@@ -134,12 +134,12 @@ TEST(EqualFrames, StillShotIsDrawnOnce) {
   const Scene scene = still();
   for (const int threads : {1, 4}) {
     NotingRenderer renderer;
-    RenderJob job = copying_job(folder / "a.###.exr", range(0, 99), scene);
+    RenderJob job = copying_job(folder / "a.###.exr", range(0, 39), scene);
     job.threads = threads;
-    EXPECT_EQ(frames_of(run(job, scene, renderer), Status::copied), range(1, 99));
+    EXPECT_EQ(frames_of(run(job, scene, renderer), Status::copied), range(1, 39));
     EXPECT_EQ(renderer.rendered, range(0, 0));
   }
-  EXPECT_EQ(read_exr(folder / "a.057.exr").attributes.frame, 57);
+  EXPECT_EQ(read_exr(folder / "a.037.exr").attributes.frame, 37);
 }
 
 // Deleted or overwritten: what cannot be copied any more is drawn, and later frames are copied from that one.
