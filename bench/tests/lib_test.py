@@ -8,7 +8,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from lib import (growth_checks, job, kernels, machine, memory, pictures, plot, processes, scaling, stages,  # noqa: E402
+from lib import (growth_checks, job, kernels, machine, memory, pictures, plot, processes, scaling, series, stages,  # noqa: E402
                  tables)
 
 
@@ -77,7 +77,8 @@ class Growth(unittest.TestCase):
         self.assertAlmostEqual(bent.largest_deviation, 0.4)
 
     def test_a_limit_that_is_passed_is_said_to_fail(self):
-        curves = {"triangles": {"morphcl": [(1e4, 1), (1e5, 2), (1e7, 300)]},
+        curves = {"triangles": {"morphcl": [(1e4, 1), (1e5, 2), (1e7, 300)],
+                                series.SAME_SIZE: [(1e5, 2), (1e6, 10), (1e7, 200)]},
                   "pixels": {growth_checks.ALL_COVERED: [(1920 * 1080, 1), (7680 * 4320, 16)],
                              growth_checks.FIFTH_COVERED: [(1920 * 1080, 1)]},
                   "objects": {growth_checks.ALL_OBJECTS: [(100_000, 7)], growth_checks.VISIBLE_OBJECTS: [(100_000, 2)]},
@@ -85,6 +86,7 @@ class Growth(unittest.TestCase):
         found = {statement: value for statement, _, value in growth_checks.checks(curves, [])}
         self.assertAlmostEqual(found["time / pixels, 1080p to 8K, all covered: largest / smallest"], 1)
         self.assertIsNone(found["time / pixels, 1080p to 8K, a fifth covered: largest / smallest"])
+        self.assertAlmostEqual(found["time / triangles, 10⁵ to 10⁷ of the same size: largest / smallest"], 2)
         self.assertAlmostEqual(found["100,000 objects against only those in view: times the time"], 3.5)
         self.assertAlmostEqual(found["256 targets with 5 active against 5 targets: times the time"], 1.1)
         busy = {**curves, "targets": {"morphcl": [(5, 10), (256, 30)]}}
