@@ -123,4 +123,4 @@ def run(programs, options):
                       "Milliseconds from the frame number to pixels in host memory; written by `bench/run scaling`. "
                       "What is measured and how to read it: [README](../README.md).", body,
                       [f"- medians of {rounds} rounds through all series; {options.threads} threads but where they "
-                       "are what grows; 1920 × 1080 but where pixels are"], load)
+                       "are what grows; 1920 × 1080 but where pixels grow, alone or with the triangles"], load)
