@@ -79,11 +79,11 @@ TEST(PlanReport, NamesUnchangedObjects) {
   EXPECT_FALSE(find_note(held, "unchanged objects")->done);
   EXPECT_TRUE(find_note(report_of(scene, 12, {.leave_out = false}), "unchanged objects")->done);
   EXPECT_EQ(find_note(report_of(scene, 0), "unchanged objects"), nullptr) << "the shot's first frame";
-  Scene camera_moves = scene;
-  Timeline& timeline = camera_moves.timeline;
-  timeline.camera.eye_track = Track(Interpolation::linear, 3, false, timeline.time.ticks_per_second(),
-                                    {0, timeline.time.frame_ticks(24)}, {0, 0, 6, 1, 0, 6});
-  EXPECT_EQ(find_note(report_of(camera_moves, 12), "unchanged objects"), nullptr);
+  Scene zooming = scene;  // changes the matrices to clip space alone
+  Timeline& timeline = zooming.timeline;
+  timeline.camera.fovy_track = Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
+                                     {0, timeline.time.frame_ticks(24)}, {45, 60});
+  EXPECT_EQ(find_note(report_of(zooming, 12), "unchanged objects"), nullptr);
 }
 
 TEST(PlanReport, FindsTheLatestEarlierFrameWithTheSamePicture) {
