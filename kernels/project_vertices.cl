@@ -48,7 +48,7 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
     value = fma((float16)(target->weight), vload16(0, mesh_data + target->colors + plane * draw->pitch + at),
                 fma((float16)(target->base_weight), base, value));
   }
-  return min(max(value, (float16)0.0f), (float16)1.0f);
+  return min(max(value, (float16)0.0f), (float16)1.0f) + 0.0f;  // -0 becomes 0, with and without targets of weight 0
 }
 
 COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* restrict frame,

@@ -94,7 +94,7 @@ std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, co
     if (draw.shading == Shading::smooth) v.normal = eye_normal(draw, i);
     if (draw.vertex_colors) {
       v.color = morph(draw, mesh.colors, &MorphTarget::colors, i);
-      for (int c = 0; c < 4; ++c) v.color[c] = std::min(std::max(v.color[c], 0.0f), 1.0f);
+      for (int c = 0; c < 4; ++c) v.color[c] = std::min(std::max(v.color[c], 0.0f), 1.0f) + 0.0f;
     }
   }
   return vertices;
