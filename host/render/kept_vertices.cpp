@@ -1,7 +1,8 @@
 #include "host/render/kept_vertices.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 #include <numeric>
 
 namespace morphcl {
@@ -10,21 +11,22 @@ namespace {
 
 using layout::uint;
 
+// All members are 4 bytes wide; -0 and 0 count as different.
 template <class T>
-bool same_bytes(const T& a, const T& b) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return std::memcmp(&a, &b, sizeof(T)) == 0;  // of 4-byte members without padding; -0 and 0 count as different
+bool same_words(const T& a, const T& b) {
+  using Words = std::array<uint, sizeof(T) / sizeof(uint)>;
+  return std::bit_cast<Words>(a) == std::bit_cast<Words>(b);
 }
 
 template <class T>
 bool same_tables(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_words<T>);
 }
 
 }  // namespace
 
 bool KeptVertices::same_view(const FrameTables& tables) const {
-  return known_ && same_bytes(tables.frame, drawn_.frame);
+  return known_ && same_words(tables.frame, drawn_.frame);
 }
 
 bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const {
@@ -35,8 +37,8 @@ bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const 
   const auto targets_before = drawn_.targets.begin() + before.first_target;
   now.first_target = before.first_target;
   now.first_position = before.first_position;
-  return same_bytes(now, before) &&
-         std::equal(targets, targets + now.target_count, targets_before, same_bytes<layout::TargetConstants>);
+  return same_words(now, before) &&
+         std::equal(targets, targets + now.target_count, targets_before, same_words<layout::TargetConstants>);
 }
 
 std::vector<uint> KeptVertices::changed_chunks(const FrameTables& tables) const {

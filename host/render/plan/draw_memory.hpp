@@ -20,20 +20,26 @@ class DrawMemory {
   // Begins a frame; forgets the draws when the view is another one.
   void look(const View& view) {
     if (!(view == view_)) draws_.clear();
-    view_ = view, at_ = 0;
+    view_ = view, at_ = 0, missed_ = false;
   }
   // The draw that an object had under this view, or null. Objects are asked for in ascending order.
   const Draw* find(std::uint32_t object) {
     while (at_ < draws_.size() && draws_[at_].object < object) ++at_;
-    return at_ < draws_.size() && draws_[at_].object == object ? &draws_[at_] : nullptr;
+    if (at_ < draws_.size() && draws_[at_].object == object) return &draws_[at_];
+    missed_ = true;
+    return nullptr;
   }
-  void remember(const std::vector<Draw>& draws) { draws_ = draws; }
+  // The frame's draws, to be found in the next one; those of the frame before do where none was missed.
+  void remember(const std::vector<Draw>& draws) {
+    if (missed_) draws_ = draws;
+  }
   std::size_t size() const { return draws_.size(); }
 
  private:
   View view_;
   std::vector<Draw> draws_;
   std::size_t at_ = 0;
+  bool missed_ = false;
 };
 
 }  // namespace morphcl

@@ -158,11 +158,12 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
   if (!object.has_primitives || !nodes.is_visible(object.node)) return;
   const bool inside = in_view.inside.contains(object_index);
   // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
-  if (const Draw* before = memory.find(static_cast<std::uint32_t>(object_index)); before && inside && object.is_still) {
-    Draw& draw = plan.draws.emplace_back(*before);
-    if (object.morphs) set_targets(weights_of(object_index), !options.idle_targets, draw);
-    return;
-  }
+  if (inside && object.is_still)
+    if (const Draw* before = memory.find(static_cast<std::uint32_t>(object_index))) {
+      Draw& draw = plan.draws.emplace_back(*before);
+      if (object.morphs) set_targets(weights_of(object_index), !options.idle_targets, draw);
+      return;
+    }
   const glm::dmat4 object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
   const glm::dmat4 object_to_clip = volume.eye_to_clip * object_to_eye;
   const std::vector<double>& targets = weights_of(object_index);
