@@ -18,7 +18,8 @@ class DeviceTable {
   // was queued has to have finished before the next update.
   bool update(const cl::CommandQueue& queue, const T* values, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
-    if (valid_ && count == uploaded_.size() && std::memcmp(values, uploaded_.data(), count * sizeof(T)) == 0)
+    if (valid_ && count == uploaded_.size() &&
+        (count == 0 || std::memcmp(values, uploaded_.data(), count * sizeof(T)) == 0))
       return false;
     valid_ = false;
     uploaded_.assign(values, values + count);
