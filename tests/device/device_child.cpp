@@ -135,10 +135,6 @@ void write_outside() {
 
 }  // namespace
 
-// LeakSanitizer stops all threads at exit, and crashes on one that has been made but has not run yet: on a busy machine
-// such are PoCL's here. Tests that do the same in their own process, and live longer, are checked for leaks.
-extern "C" int __lsan_is_turned_off() { return 1; }
-
 int main(int count, char** values) {
   const std::vector<std::string> arguments(values + 1, values + count);
   try {
