@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
@@ -13,6 +12,7 @@
 #include "host/render/reference_renderer.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
+#include "tests/job/frame_lists.hpp"
 
 namespace morphcl {
 namespace {
@@ -21,19 +21,6 @@ using namespace job_test;
 using image_test::bytes_of;
 using image_test::TemporaryFolder;
 using Status = FrameResult::Status;
-
-std::vector<std::int64_t> range(std::int64_t first, std::int64_t last) {
-  std::vector<std::int64_t> frames(static_cast<std::size_t>(last - first + 1));
-  std::iota(frames.begin(), frames.end(), first);
-  return frames;
-}
-
-std::vector<std::int64_t> frames_of(const JobResult& result, Status status) {
-  std::vector<std::int64_t> frames;
-  for (const FrameResult& frame : result.frames)
-    if (frame.status == status) frames.push_back(frame.frame);
-  return frames;
-}
 
 // What the plan says, by the reference renderer, which is asked for every picture here.
 class NotingRenderer : public Renderer {

@@ -33,7 +33,6 @@ class DrawMemory {
   void remember(const std::vector<Draw>& draws) {
     if (missed_) draws_ = draws;
   }
-  std::size_t size() const { return draws_.size(); }
 
  private:
   View view_;
