@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <algorithm>
+
 #include "host/error.hpp"
 
 namespace morphcl {
@@ -56,11 +58,14 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth) : width_
 
 FrameBuffer::Planes FrameBuffer::planes() {
   const bool notes_hold = any_blank_;
+  const std::size_t tiles = static_cast<std::size_t>(tiles_x()) * tiles_y();
+  // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
+  if (!notes_hold) std::fill_n(blank_blocks_.get(), tiles, 0u);
   any_blank_ = true;
   return {{color_[0].get(), color_[1].get(), color_[2].get(), color_[3].get()},
           depth_.get(),
           blank_blocks_.get(),
-          static_cast<std::size_t>(tiles_x()) * tiles_y(),
+          tiles,
           notes_hold};
 }
 

@@ -80,5 +80,16 @@ TEST(FrameBuffer, ImpossibleSizesAreRefused) {
     }
 }
 
+TEST(FrameBuffer, NotesOfBlankTilesAreGoneOnceOthersMayHaveWritten) {
+  FrameBuffer frame(64, 64, true, true);
+  frame.planes().blank_blocks[0] = 0xffff;
+  EXPECT_TRUE(frame.blank(0, 0));
+  EXPECT_TRUE(frame.planes().notes_hold);
+  frame.color(0)[0] = 1;
+  EXPECT_FALSE(frame.blank(0, 0));
+  EXPECT_FALSE(frame.planes().notes_hold);  // and a renderer that now fails has drawn nothing blank:
+  EXPECT_FALSE(frame.blank(0, 0));
+}
+
 }  // namespace
 }  // namespace morphcl
