@@ -86,5 +86,5 @@ def all_series(programs, options):
     made = [make(programs, options.quick) for make in (triangles, pixels, layers, targets, objects)]
     for series in made:
         for point in series.points:
-            point.arguments += ["--threads", options.threads]
+            point.arguments = [*point.arguments, "--threads", options.threads]
     return [*made, threads(programs, options.threads)]
