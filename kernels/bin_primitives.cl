@@ -1,318 +1,14 @@
 #pragma OPENCL FP_CONTRACT OFF
-// bin_primitives: set up triangles and lines and sort them into tiles.
+// The stages from vertices to bins. Starting a kernel takes as long as a thousand triangles, so stages of which each
+// work-item needs no more than its own results share a launch:
 //
-// In:  vertices, indices, draws, blocks, clipped primitives.
-// Out, one set a chunk: fragments {depth, id, position in the tile} of lines and of triangles over at most 8 x 8 pixel
-//      centres, already rasterised; large triangles, set up, with an entry in every tile they may touch; both in pages.
-//      status[chunk]: how much room the chunk needed. What found no room raises *overflow and the frame is binned again.
-// Steps: 1 fetch 16 triangles, cull, classify; 2 rasterise the small ones, one lane a triangle; 3 set up the large ones;
-//        4 lines; 5 what clipping left of this chunk's primitives, as large triangles.
-// One work-item walks a chunk of blocks, near draws first: what they hide is then left out in the tiles at little cost.
-// Nothing but the time depends on the order of entries.
+// bin_primitives            the bins of one chunk of blocks
+// light_and_bin_primitives  the same after the light of the chunk's faces
+// project_light_and_bin     all of a frame that is no more than one chunk of vertices and one of blocks
 
-#include "layout.h"
-#include "vector.h"
-#include "raster.h"
-
-typedef struct {
-  PagedBins fragments, entries;
-  global ulong* fragment_keys;    // bits of depth << 32 | id
-  global ushort* fragment_places; // row << 6 | column in the tile
-  global uint* entry_triangles;   // index into the chunk's large triangles, perhaps with ENTIRE_TILE
-  global LargeTriangle* large;
-  uint large_count, large_capacity;
-  int width, height, tiles_x;
-} Bins;
-
-static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, uint id) {
-  const uint at = next_entry(&bins->fragments, (uint)((y / TILE) * bins->tiles_x + x / TILE));
-  if (at >= bins->fragments.capacity * PAGE) return;
-  bins->fragment_keys[at] = ((ulong)depth_bits << 32) | id;
-  bins->fragment_places[at] = (ushort)((y % TILE) * TILE + x % TILE);
-}
-
-// ---- large triangles ------------------------------------------------------------------------------------------------
-
-// Corner a becomes the one of least depth; the turn keeps the orientation.
-static inline void turn_farthest_first(int4* a, int4* b, int4* c) {
-  const float depth_a = as_float((*a).z), depth_b = as_float((*b).z), depth_c = as_float((*c).z);
-  const int4 first = *a, second = *b, third = *c;
-  if (depth_b < depth_a && depth_b <= depth_c) {
-    *a = second, *b = third, *c = first;
-  } else if (depth_c < depth_a && depth_c < depth_b) {
-    *a = third, *b = first, *c = second;
-  }
-}
-
-static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided) {
-  long area = (long)(b.x - a.x) * (c.y - a.y) - (long)(c.x - a.x) * (b.y - a.y);
-  if (area == 0 || (area < 0 && !double_sided)) return;
-  if (area < 0) {
-    const int4 swapped = b;
-    b = c, c = swapped, area = -area;
-  }
-  turn_farthest_first(&a, &b, &c);
-  const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0), first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
-  const int last_x = min(LAST_PIXEL(max(a.x, max(b.x, c.x))), bins->width - 1);
-  const int last_y = min(LAST_PIXEL(max(a.y, max(b.y, c.y))), bins->height - 1);
-  if (first_x > last_x || first_y > last_y) return;
-
-  LargeTriangle t;
-  t.ax = a.x, t.ay = a.y;
-  t.d1x = b.x - a.x, t.d1y = b.y - a.y, t.d2x = c.x - a.x, t.d2y = c.y - a.y;
-  t.id = id;
-  t.depth = as_float(a.z);
-  t.depth1 = as_float(b.z) - t.depth;
-  t.depth2 = as_float(c.z) - t.depth;
-  t.inverse_area = 1.0f / (float)area;
-  t.depth_dx = fma((float)t.d2y, t.depth1, -((float)t.d1y * t.depth2)) * t.inverse_area * (float)SUBPIXELS;
-  t.depth_dy = fma((float)t.d1x, t.depth2, -((float)t.d2x * t.depth1)) * t.inverse_area * (float)SUBPIXELS;
-  FOR_THREE(i) t.pad[i] = 0;
-  const uint number = bins->large_count++;
-  if (number >= bins->large_capacity) return;
-  bins->large[number] = t;
-
-  const int dx[3] = {t.d1x, c.x - b.x, -t.d2x}, dy[3] = {t.d1y, c.y - b.y, -t.d2y};
-  const int vx[3] = {a.x, b.x, c.x}, vy[3] = {a.y, b.y, c.y};
-  const long reach = (TILE - 1) * SUBPIXELS;
-  for (int tile_y = first_y / TILE; tile_y <= last_y / TILE; tile_y++)
-    for (int tile_x = first_x / TILE; tile_x <= last_x / TILE; tile_x++) {
-      const int px = tile_x * TILE * SUBPIXELS + HALF_PIXEL, py = tile_y * TILE * SUBPIXELS + HALF_PIXEL;
-      bool misses = false, covers = true;
-      FOR_THREE(e) {
-        const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py);
-        misses |= value + max(-dy[e], 0) * reach + max(dx[e], 0) * reach < 0;
-        covers &= value + min(-dy[e], 0) * reach + min(dx[e], 0) * reach >= 0;
-      }
-      if (misses) continue;
-      const uint at = next_entry(&bins->entries, (uint)(tile_y * bins->tiles_x + tile_x));
-      if (at < bins->entries.capacity * PAGE) bins->entry_triangles[at] = number | (covers ? ENTIRE_TILE : 0u);
-    }
-}
-
-// ---- lines ----------------------------------------------------------------------------------------------------------
-
-static inline long floor_divide(long numerator, long denominator) {  // denominator > 0
-  const long quotient = numerator / denominator;
-  return quotient * denominator > numerator ? quotient - 1 : quotient;
-}
-
-// One pixel for each column (or, in steep lines, row) whose centre lies in the half-open run from the first end to the
-// last; the pixel is the one the exact line passes through there.
-static inline void bin_line(Bins* bins, int4 a, int4 b, uint id) {
-  const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
-  if (steep ? b.y < a.y : b.x < a.x) {
-    const int4 swapped = a;
-    a = b, b = swapped;
-  }
-  const int start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
-  const long run = stop - start, rise = (steep ? b.x - a.x : b.y - a.y);
-  if (run == 0) return;
-  const int limit = steep ? bins->height : bins->width, across_limit = steep ? bins->width : bins->height;
-  const int first = max(FIRST_PIXEL(start), 0), last = min(LAST_PIXEL(stop - 1), limit - 1);
-  const float depth = as_float(a.z), depth_change = as_float(b.z) - depth;
-  for (int along = first; along <= last; along++) {
-    const long offset = along * SUBPIXELS + HALF_PIXEL - start;
-    const long other = floor_divide(across * run + rise * offset, run * SUBPIXELS);
-    if (other < 0 || other >= across_limit) continue;
-    const float at = fma((float)offset / (float)run, depth_change, depth);
-    add_fragment(bins, steep ? (int)other : along, steep ? along : (int)other, as_uint(at), id);
-  }
-}
-
-// ---- small triangles ------------------------------------------------------------------------------------------------
-
-typedef struct {
-  int16 x[3], y[3], depth[3];
-} Triangles;
-
-// Edge value of each lane, less 1 where a centre on the edge belongs to the neighbour.
-static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px, int16 py) {
-  const int16 owns_edge = (dy < 0) | ((dy == 0) & (dx > 0));
-  return dx * (py - vy) - dy * (px - vx) - (1 + owns_edge);
-}
-
-static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x, int16 first_y,
-                                             int16 last_x, int16 last_y, uint first_id) {
-  const int16 d1x = t.x[1] - t.x[0], d1y = t.y[1] - t.y[0], d2x = t.x[2] - t.x[0], d2y = t.y[2] - t.y[0];
-  const int16 d3x = t.x[2] - t.x[1], d3y = t.y[2] - t.y[1];
-  const int16 px = first_x * SUBPIXELS + HALF_PIXEL, py = first_y * SUBPIXELS + HALF_PIXEL;
-  int16 row0 = edge_values(d1x, d1y, t.x[0], t.y[0], px, py);
-  int16 row1 = edge_values(d3x, d3y, t.x[1], t.y[1], px, py);
-  int16 row2 = edge_values(-d2x, -d2y, t.x[2], t.y[2], px, py);
-
-  const float16 depth0 = as_float16(t.depth[0]);
-  const float16 depth1 = as_float16(t.depth[1]) - depth0, depth2 = as_float16(t.depth[2]) - depth0;
-  const float16 inverse_area = 1.0f / convert_float16(area);
-  const int16 dx = px - t.x[0], dy = py - t.y[0];
-  const float16 part1 = convert_float16(dx * d2y - dy * d2x) * inverse_area;
-  const float16 part2 = convert_float16(dy * d1x - dx * d1y) * inverse_area;
-  const float16 origin_depth = fma(part1, depth1, fma(part2, depth2, depth0));
-  const float16 depth_dx = fma(convert_float16(d2y), depth1, -(convert_float16(d1y) * depth2)) * inverse_area * (float)SUBPIXELS;
-  const float16 depth_dy = fma(convert_float16(d1x), depth2, -(convert_float16(d2x) * depth1)) * inverse_area * (float)SUBPIXELS;
-
-  const int16 columns = last_x - first_x, rows = last_y - first_y;
-  for (int j = 0; j < SMALL_PIXELS; j++) {
-    if (!any_lane(active & (rows >= j))) break;
-    const int16 row_active = active & (rows >= j) & (first_y >= -j);  // rows above the image come first and draw nothing
-    const float16 row_depth = fma(depth_dy, (float16)((float)j), origin_depth);
-    int16 value0 = row0, value1 = row1, value2 = row2;
-    for (int i = 0; i < SMALL_PIXELS; i++) {
-      const int16 in_box = row_active & (columns >= i);
-      const int16 covered = in_box & (first_x >= -i) & ((value0 | value1 | value2) >= 0);
-      const ulong2 lanes = mask_bytes(covered);
-      if (lanes.x | lanes.y) {
-        const float16 depth = fma(depth_dx, (float16)((float)i), row_depth);
-        const int16 x = first_x + i, y = first_y + j;
-        uint depth_bits[LANES];
-        int tile[LANES], place[LANES];
-        vstore16(as_uint16(depth), 0, depth_bits);
-        vstore16((y >> 6) * bins->tiles_x + (x >> 6), 0, tile);
-        vstore16(((y & 63) << 6) | (x & 63), 0, place);
-        for (int half_of = 0; half_of < 2; half_of++)
-          for (ulong bytes = half_of ? lanes.y : lanes.x; bytes;) {
-            const int in_half = lowest_lane(bytes), lane = in_half + half_of * 8;
-            bytes = without_lane(bytes, in_half);
-            const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
-            if (at >= bins->fragments.capacity * PAGE) continue;
-            bins->fragment_keys[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * 8);
-            bins->fragment_places[at] = (ushort)place[lane];
-          }
-      }
-      value0 -= d1y * SUBPIXELS, value1 -= d3y * SUBPIXELS, value2 += d2y * SUBPIXELS;
-      if (i + 1 < SMALL_PIXELS && !any_lane(in_box & (columns > i))) break;
-    }
-    row0 += d1x * SUBPIXELS, row1 += d3x * SUBPIXELS, row2 -= d2x * SUBPIXELS;
-  }
-}
-
-static inline void bin_triangle_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
-                                      global const int4* vertices, uint first, uint first_id) {
-  // Front faces get a positive area: on the screen y points down, so the second and third corner change places.
-  const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0;
-  global const uint* corner_a = indices + draw->indices + first;
-  global const uint* corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
-  global const uint* corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
-  global const int4* records = vertices + (size_t)draw->first_group * LANES;
-  Triangles t;
-  int16 unused;
-  GATHER_RECORDS(records, corner_a, t.x[0], t.y[0], t.depth[0], unused)
-  GATHER_RECORDS(records, corner_b, t.x[1], t.y[1], t.depth[1], unused)
-  GATHER_RECORDS(records, corner_c, t.x[2], t.y[2], t.depth[2], unused)
-
-  const int16 clipped = (t.x[0] == OUTSIDE) | (t.x[1] == OUTSIDE) | (t.x[2] == OUTSIDE);
-  const int16 low_x = min(t.x[0], min(t.x[1], t.x[2])), high_x = max(t.x[0], max(t.x[1], t.x[2]));
-  const int16 low_y = min(t.y[0], min(t.y[1], t.y[2])), high_y = max(t.y[0], max(t.y[1], t.y[2]));
-  const int16 first_x = FIRST_PIXEL(low_x), first_y = FIRST_PIXEL(low_y);
-  const int16 last_x = min(LAST_PIXEL(high_x), (int16)(bins->width - 1)), last_y = min(LAST_PIXEL(high_y), (int16)(bins->height - 1));
-  const int16 seen = ~clipped & (max(first_x, (int16)(0)) <= last_x) & (max(first_y, (int16)(0)) <= last_y);
-  // Up to 64 pixels wide and high, areas and edge values fit 32 bits.
-  const int16 fits_int = ((high_x - low_x) < TILE * SUBPIXELS) & ((high_y - low_y) < TILE * SUBPIXELS);
-  int16 area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
-  const int16 faces = double_sided ? area != 0 : area > 0;
-  const int16 small = seen & fits_int & faces & ((last_x - first_x) < SMALL_PIXELS) & ((last_y - first_y) < SMALL_PIXELS);
-  const int16 large = seen & ~small & (faces | ~fits_int);
-
-  if (any_lane(small)) {
-    Triangles turned = t;
-    if (double_sided) {
-      const int16 back = area < 0;
-      turned.x[1] = select(t.x[1], t.x[2], back), turned.x[2] = select(t.x[2], t.x[1], back);
-      turned.y[1] = select(t.y[1], t.y[2], back), turned.y[2] = select(t.y[2], t.y[1], back);
-      turned.depth[1] = select(t.depth[1], t.depth[2], back), turned.depth[2] = select(t.depth[2], t.depth[1], back);
-      area = select(area, -area, back);
-    }
-    rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
-  }
-  const ulong2 lanes = mask_bytes(large);
-  for (int half_of = 0; half_of < 2; half_of++)
-    for (ulong bytes = half_of ? lanes.y : lanes.x; bytes;) {
-      const int in_half = lowest_lane(bytes), lane = in_half + half_of * 8;
-      bytes = without_lane(bytes, in_half);
-      bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
-                         first_id + (uint)lane * 8, double_sided);
-    }
-}
-
-static inline void bin_line_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
-                                  global const int4* vertices, uint first, uint first_id) {
-  global const uint* start = indices + draw->indices + first;
-  global const int4* records = vertices + (size_t)draw->first_group * LANES;
-  for (uint lane = 0; lane < LANES; lane++) {
-    const int4 a = records[start[lane]], b = records[start[lane + draw->index_pitch]];
-    if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * 8);
-  }
-}
-
-static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, global const int4* corners, uint count, uint first_id) {
-  if (draw->flags & DRAW_LINES) {
-    if (count == 2) bin_line(bins, corners[0], corners[1], first_id + 1);
-    return;
-  }
-  const uint second = draw->flags & DRAW_MIRRORED ? 0 : 1;
-  for (uint i = 1; i + 1 < count; i++)
-    bin_large_triangle(bins, corners[0], corners[i + second], corners[i + 1 - second], first_id + i,
-                       (draw->flags & DRAW_DOUBLE_SIDED) != 0);
-}
-
-COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict frame,
-                             global const DrawConstants* restrict draws, global const uint* restrict block_draw,
-                             global const uint* restrict position_draw, global const uint* restrict indices,
-                             global const int4* restrict vertices, global const uint* restrict clip_source,
-                             global const uint* restrict clip_count, global uint* restrict fragment_heads,
-                             global uint* restrict fragment_next, global ulong* restrict fragment_keys,
-                             global ushort* restrict fragment_places, global uint* restrict entry_heads,
-                             global uint* restrict entry_next, global uint* restrict entry_triangles,
-                             global LargeTriangle* restrict large, global ChunkStatus* restrict status,
-                             global uint* restrict overflow) {
-  const uint tiles = (uint)(frame->tiles_x * frame->tiles_y);
-  Bins bins;
-  bins.fragments.heads = fragment_heads + (size_t)chunk * tiles;
-  bins.fragments.next = fragment_next + (size_t)chunk * frame->fragment_pages;
-  bins.fragments.pages = 1;
-  bins.fragments.capacity = frame->fragment_pages;
-  bins.entries.heads = entry_heads + (size_t)chunk * tiles;
-  bins.entries.next = entry_next + (size_t)chunk * frame->entry_pages;
-  bins.entries.pages = 1;
-  bins.entries.capacity = frame->entry_pages;
-  bins.fragment_keys = fragment_keys + (size_t)chunk * frame->fragment_pages * PAGE;
-  bins.fragment_places = fragment_places + (size_t)chunk * frame->fragment_pages * PAGE;
-  bins.entry_triangles = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
-  bins.large = large + (size_t)chunk * frame->large_capacity;
-  bins.large_count = 0;
-  bins.large_capacity = frame->large_capacity;
-  bins.width = frame->width, bins.height = frame->height, bins.tiles_x = frame->tiles_x;
-  for (uint tile = 0; tile < tiles; tile++) bins.fragments.heads[tile] = 0, bins.entries.heads[tile] = 0;
-
-  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
-  for (uint position = chunk * frame->blocks_per_chunk; position < end; position++) {
-    global const DrawConstants* draw = &draws[position_draw[position]];
-    const uint block = position - draw->first_position, first_id = (draw->first_block + block) * LANES * 8;
-    if (draw->flags & DRAW_LINES)
-      bin_line_block(&bins, draw, indices, vertices, block * LANES, first_id);
-    else
-      bin_triangle_block(&bins, draw, indices, vertices, block * LANES, first_id);
-  }
-
-  if (frame->clips) {
-    uint first_slot = 0, total = 0;
-    for (uint i = 0; i < frame->chunk_count; i++) {
-      if (i == chunk) first_slot = total;
-      total += status[i].clipped;
-    }
-    const uint end_slot = min(first_slot + status[chunk].clipped, frame->clip_capacity);
-    for (uint slot = first_slot; slot < end_slot; slot++)
-      bin_clipped(&bins, &draws[block_draw[clip_source[slot] / LANES]],
-                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clip_count[slot], clip_source[slot] * 8);
-    if (total > frame->clip_capacity) atomic_or(overflow, 1u);
-  }
-  status[chunk].fragment_pages = bins.fragments.pages;
-  status[chunk].entry_pages = bins.entries.pages;
-  status[chunk].large = bins.large_count;
-  if (bins.fragments.pages > frame->fragment_pages || bins.entries.pages > frame->entry_pages ||
-      bins.large_count > frame->large_capacity)
-    atomic_or(overflow, 1u);
-}
+#include "project_vertices.h"
+#include "light_faces.h"
+#include "bin_primitives.h"
 
 kernel void bin_primitives(constant const FrameConstants* frame, global const DrawConstants* draws,
                            global const uint* block_draw, global const uint* position_draw, global const uint* indices,
@@ -324,4 +20,35 @@ kernel void bin_primitives(constant const FrameConstants* frame, global const Dr
   bin_chunk((uint)get_global_id(0), frame, draws, block_draw, position_draw, indices, vertices, clip_source, clip_count,
             fragment_heads, fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles,
             large, status, overflow);
+}
+
+kernel void light_and_bin_primitives(
+    constant const FrameConstants* frame, global const DrawConstants* draws, global const uint* block_draw,
+    global const uint* position_draw, global const uint* indices, global const int4* vertices,
+    global const uint* clip_source, global const uint* clip_count, global uint* fragment_heads,
+    global uint* fragment_next, global ulong* fragment_keys, global ushort* fragment_places, global uint* entry_heads,
+    global uint* entry_next, global uint* entry_triangles, global LargeTriangle* large, global ChunkStatus* status,
+    global uint* overflow, global const LightConstants* lights, global const int4* attributes,
+    global int4* face_color) {
+  const uint chunk = (uint)get_global_id(0);
+  light_chunk(chunk, frame, draws, block_draw, indices, lights, attributes, face_color);
+  bin_chunk(chunk, frame, draws, block_draw, position_draw, indices, vertices, clip_source, clip_count, fragment_heads,
+            fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles, large, status,
+            overflow);
+}
+
+kernel void project_light_and_bin(
+    constant const FrameConstants* frame, global const DrawConstants* draws, global const uint* block_draw,
+    global const uint* position_draw, global const uint* indices, global int4* vertices,
+    global const uint* clip_source, global const uint* clip_count, global uint* fragment_heads,
+    global uint* fragment_next, global ulong* fragment_keys, global ushort* fragment_places, global uint* entry_heads,
+    global uint* entry_next, global uint* entry_triangles, global LargeTriangle* large, global ChunkStatus* status,
+    global uint* overflow, global const LightConstants* lights, global int4* attributes, global int4* face_color,
+    global const uint* chunks, global const TargetConstants* targets, global const uint* group_draw,
+    global const float* mesh_data, global int4* colors, global uint* vertex_status) {
+  project_chunk(0, frame, chunks, draws, targets, group_draw, mesh_data, vertices, attributes, colors, vertex_status);
+  light_chunk(0, frame, draws, block_draw, indices, lights, attributes, face_color);
+  bin_chunk(0, frame, draws, block_draw, position_draw, indices, vertices, clip_source, clip_count, fragment_heads,
+            fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles, large, status,
+            overflow);
 }

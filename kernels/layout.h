@@ -86,7 +86,8 @@ typedef struct {
   float near_w, near_depth;                    // w and depth = z / w on the near plane
   float far_depth;                             // smaller depths are not drawn
   float near;                                  // perspective: distance = near / depth; parallel: -depth
-  float ray[4];
+  float ray[4];                                // eye position of a pixel: FramePlan::ray and slant
+  float slant[2];
   int width, height;
   int tiles_x, tiles_y;
   uint row_pitch;          // elements of an image row

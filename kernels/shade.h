@@ -171,11 +171,17 @@ ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, P
   normal.z = select(normal.z, -normal.z, negative);
   position.x = position.y = position.z = 0.0f;
   if (!s->frame->has_point_lights) return irradiance(s->frame, s->lights, normal, position);
-  const float16 reach = s->frame->parallel ? (float16)1.0f : eye_distance(s->frame, p.depth);
+  const float16 distance = eye_distance(s->frame, p.depth);
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
-  position.x = fma(x, (float16)(s->frame->ray[0]), (float16)(s->frame->ray[1])) * reach;
-  position.y = fma(y, (float16)(s->frame->ray[2]), (float16)(s->frame->ray[3])) * reach;
-  position.z = -eye_distance(s->frame, p.depth);
+  position.x = fma(x, (float16)(s->frame->ray[0]), (float16)(s->frame->ray[1]));
+  position.y = fma(y, (float16)(s->frame->ray[2]), (float16)(s->frame->ray[3]));
+  if (s->frame->parallel) {
+    position.x = fma(distance, (float16)(s->frame->slant[0]), position.x);
+    position.y = fma(distance, (float16)(s->frame->slant[1]), position.y);
+  } else {
+    position.x *= distance, position.y *= distance;
+  }
+  position.z = -distance;
   return irradiance(s->frame, s->lights, normal, position);
 }
 

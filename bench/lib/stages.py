@@ -21,7 +21,8 @@ SAMPLES_A_SECOND = 4000
 FRAMES = {"morph": 1000, "heavy": 100, "overdraw_btf": 200, "overdraw_ftb": 200, "many": 100, "wire": 1000}
 COLUMNS = ["round", "scene", "stage", "cpu_ms", "share"]
 # Kernels in the order of a frame; others follow by name.
-ORDER = ["plan", "project_vertices", "light_faces", "clip_primitives", "bin_primitives", "shade_tiles"]
+ORDER = ["plan", "project_vertices", "clip_primitives", "bin_primitives", "shade_tiles"]
+SHARED_LAUNCHES = {"light_and_bin_primitives": "bin_primitives", "project_light_and_bin": "bin_primitives"}
 REST = "rest: launches, waiting, page faults"
 
 
@@ -47,9 +48,12 @@ def measure(programs, scene, folder, options):
     frames = FRAMES[scene] // (10 if options.quick else 1)
     report = processes.report(["perf", "record", "-q", "-e", "cpu-clock", "-F", SAMPLES_A_SECOND, "-o", data,
                                programs["draw"], scene, "--frames", frames, "--threads", options.threads])
-    kernels = {name.removesuffix(".so"): milliseconds / (frames + WARM_UP_FRAMES)
-               for name, milliseconds in library_milliseconds(data).items()
-               if name.endswith(".so") and not name.startswith(("lib", "self_test"))}
+    kernels = {}
+    for name, milliseconds in library_milliseconds(data).items():
+        if name.endswith(".so") and not name.startswith(("lib", "self_test")):
+            kernel = name.removesuffix(".so")
+            stage = SHARED_LAUNCHES.get(kernel, kernel)
+            kernels[stage] = kernels.get(stage, 0) + milliseconds / (frames + WARM_UP_FRAMES)
     stages = {"plan": report["plan_ms"], **kernels}
     return {**stages, REST: max(0.0, report["cpu_ms"] - sum(stages.values()))}, report
 
@@ -103,6 +107,7 @@ def run(programs, options):
                       "Milliseconds of processor time a frame, all threads together, and the share; written by "
                       "`bench/run stages`. What is measured and how to read it: [README](../README.md).", body,
                       [f"- {options.threads} threads; medians of {rounds} rounds; {SAMPLES_A_SECOND} samples a second",
-                       "- plan: by the clock, on the host; the others: kernels, by samples in their libraries",
+                       "- plan: by the clock, on the host; the others: kernels, by samples in their libraries; "
+                       "bin_primitives with light_faces and, in frames of one chunk, project_vertices",
                        f"- memory, GB/s of {options.threads} threads: fill {bandwidth['fill']:.1f}, read "
                        f"{bandwidth['read']:.1f}, copy {bandwidth['copy']:.1f}"], load)

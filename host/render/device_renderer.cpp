@@ -58,11 +58,12 @@ class DeviceRenderer : public Renderer {
     set_chunks(constants);
     pools_.guess(constants);
     if (!plan.keeps_vertices) kept_.forget();
-    for (bool projected = false, drawn = false; !drawn;) {
-      projected &= make_room(constants);
-      if (!projected) project(constants);
-      projected = true;
-      draw(constants, planes);
+    for (bool drawn = false, first = true; !drawn; first = false) {
+      const bool stays = make_room(constants);
+      const Changes changes = first || !stays ? find_changes() : Changes{};
+      kept_.forget();
+      prepare(constants, changes);
+      shade(constants, planes);
       drawn = finish(constants, planes);
     }
     kept_.remember(tables_);
@@ -166,47 +167,70 @@ class DeviceRenderer : public Renderer {
     return stays;
   }
 
-  // Vertices and face light of the draws that are not as they were in the frame before.
-  void project(const layout::FrameConstants& constants) {
-    const std::vector<uint> changed = kept_.changed_chunks(tables_);
-    const bool faces_changed = tables_.any_flat && kept_.faces_changed(tables_);
-    kept_.forget();
-    const cl::NDRange one(1);
-    if (!changed.empty()) changed_chunks_.update(queue(), changed);
-    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changed.size()), one, frame_.buffer(),
-           changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), group_draw_.buffer(), meshes_.mesh_data(),
-           vertices_.buffer(), attributes_.buffer(), colors_.buffer(), vertex_status_.buffer());
-    if (faces_changed)
-      launch(queue(), kernel("light_faces", "light_faces"), cl::NDRange(constants.chunk_count), one, frame_.buffer(),
-             draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), attributes_.buffer(),
-             face_color_.buffer());
+  // What of the frame before is not as it is to be.
+  struct Changes {
+    uint vertex_chunks = 0;
+    bool faces = false;
+  };
+  Changes find_changes() {
+    const std::vector<uint> chunks = kept_.changed_chunks(tables_);
+    const bool faces = tables_.any_flat && kept_.faces_changed(tables_);
+    if (!chunks.empty()) changed_chunks_.update(queue(), chunks);
+    return {static_cast<uint>(chunks.size()), faces};
   }
 
-  // Everything from the vertices to the pixels.
-  void draw(const layout::FrameConstants& constants, const FramePlanes& planes) {
+  // From the vertices to the bins, in as few launches as their order allows: each takes longer than a small frame.
+  void prepare(const layout::FrameConstants& constants, Changes changes) {
+    const bool at_once =
+        changes.vertex_chunks == 1 && vertex_chunks(constants) == 1 && constants.chunk_count == 1 && !constants.clips;
+    if (!at_once) project(changes.vertex_chunks);
+    if (constants.clips) clip(constants);
+    const auto launch_bins = [&](const char* name, const auto&... more) {
+      launch(queue(), kernel("bin_primitives", name), cl::NDRange(constants.chunk_count), cl::NDRange(1),
+             frame_.buffer(), draws_.buffer(), block_draw_.buffer(), position_draw_.buffer(), meshes_.indices(),
+             vertices_.buffer(), clip_source_.buffer(), clip_count_.buffer(), fragment_heads_.buffer(),
+             fragment_next_.buffer(), fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(),
+             entry_next_.buffer(), entry_triangles_.buffer(), large_.buffer(), status_.buffer(), overflow_.buffer(),
+             more...);
+    };
+    if (at_once)
+      launch_bins("project_light_and_bin", lights_.buffer(), attributes_.buffer(), face_color_.buffer(),
+                  changed_chunks_.buffer(), targets_.buffer(), group_draw_.buffer(), meshes_.mesh_data(),
+                  colors_.buffer(), vertex_status_.buffer());
+    else if (changes.faces)
+      launch_bins("light_and_bin_primitives", lights_.buffer(), attributes_.buffer(), face_color_.buffer());
+    else
+      launch_bins("bin_primitives");
+  }
+
+  void project(uint changed_chunks) {
+    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changed_chunks), cl::NDRange(1),
+           frame_.buffer(), changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), group_draw_.buffer(),
+           meshes_.mesh_data(), vertices_.buffer(), attributes_.buffer(), colors_.buffer(), vertex_status_.buffer());
+  }
+
+  void clip(const layout::FrameConstants& constants) {
     const cl::NDRange one(1), chunks(constants.chunk_count);
-    if (constants.clips) {
-      launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame_.buffer(), draws_.buffer(),
-             block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(),
-             vertex_chunks(constants), status_.buffer());
-      launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-             targets_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(), vertices_.buffer(),
-             status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
-    }
-    launch(queue(), kernel("bin_primitives", "bin_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-           block_draw_.buffer(), position_draw_.buffer(), meshes_.indices(), vertices_.buffer(), clip_source_.buffer(),
-           clip_count_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(),
-           fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(),
-           large_.buffer(), status_.buffer(), overflow_.buffer());
+    launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame_.buffer(), draws_.buffer(),
+           block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(),
+           vertex_chunks(constants), status_.buffer());
+    launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
+           targets_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(), vertices_.buffer(),
+           status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
+  }
+
+  // From the bins to the pixels.
+  void shade(const layout::FrameConstants& constants, const FramePlanes& planes) {
     const std::size_t tile_bytes = std::size_t{layout::tile} * layout::tile * 4;
     launch(queue(), kernel("shade_tiles", "shade_tiles"),
-           cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), one, frame_.buffer(),
-           draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
-           attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(), clip_weights_.buffer(),
-           status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(), fragment_keys_.buffer(),
-           fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(), entry_triangles_.buffer(),
-           large_.buffer(), overflow_.buffer(), planes.color[0], planes.color[1], planes.color[2], planes.color[3],
-           planes.depth, planes.blank_blocks, LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
+           cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), cl::NDRange(1),
+           frame_.buffer(), draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(),
+           vertices_.buffer(), attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(),
+           clip_weights_.buffer(), status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(),
+           fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(),
+           entry_triangles_.buffer(), large_.buffer(), overflow_.buffer(), planes.color[0], planes.color[1],
+           planes.color[2], planes.color[3], planes.depth, planes.blank_blocks, LocalMemory{tile_bytes},
+           LocalMemory{tile_bytes});
   }
 
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be

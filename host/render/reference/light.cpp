@@ -49,7 +49,9 @@ glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a
   const float third = 1.0f / 3.0f;
   const glm::vec3 middle = a + (u + v) * third;
   for (int row = 0; row < 3; ++row) centre[row] = row_times_point(draw.object_to_eye[row], middle);
-  if (draw.double_sided && (plan.parallel ? -normal.z : dot_product(normal, centre)) > 0.0f) normal = -normal;
+  // Along the line of sight through the face, away from the viewer.
+  const glm::vec3 away = plan.parallel ? glm::vec3(plan.slant[0], plan.slant[1], -1.0f) : centre;
+  if (draw.double_sided && dot_product(normal, away) > 0.0f) normal = -normal;
   return irradiance(plan, normal, centre);
 }
 

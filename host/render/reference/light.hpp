@@ -1,4 +1,4 @@
-// The reference's view of kernels/light.h and kernels/light_faces.cl.
+// The reference's view of kernels/light.h and kernels/light_faces.h.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// The reference's view of kernels/project_vertices.cl: one vertex at a time.
+// The reference's view of kernels/project_vertices.h: one vertex at a time.
 #pragma once
 
 #include <glm/glm.hpp>

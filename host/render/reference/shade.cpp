@@ -43,6 +43,13 @@ glm::vec3 interpolate(const Weights& w, const Vector& a, const Vector& b, const 
   return sum;
 }
 
+glm::vec3 eye_position(const FramePlan& plan, int x, int y, float distance) {
+  const float across = std::fma(static_cast<float>(x) + 0.5f, plan.ray[0], plan.ray[1]);
+  const float up = std::fma(static_cast<float>(y) + 0.5f, plan.ray[2], plan.ray[3]);
+  if (!plan.parallel) return {across * distance, up * distance, -distance};
+  return {std::fma(distance, plan.slant[0], across), std::fma(distance, plan.slant[1], up), -distance};
+}
+
 }  // namespace
 
 float eye_distance(const FramePlan& plan, float depth) { return plan.parallel ? -depth : plan.near / depth; }
@@ -72,10 +79,7 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
     glm::vec3 normal = interpolate(w, a->normal, b->normal, c->normal);
     // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
     if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
-    const float distance = eye_distance(plan, sample.depth), reach = plan.parallel ? 1.0f : distance;
-    const glm::vec3 position(std::fma(static_cast<float>(x) + 0.5f, plan.ray[0], plan.ray[1]) * reach,
-                             std::fma(static_cast<float>(y) + 0.5f, plan.ray[2], plan.ray[3]) * reach, -distance);
-    color *= irradiance(plan, normal, position);
+    color *= irradiance(plan, normal, eye_position(plan, x, y, eye_distance(plan, sample.depth)));
   }
   if (draw.vertex_colors) {
     const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);

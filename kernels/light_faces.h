@@ -1,4 +1,3 @@
-#pragma OPENCL FP_CONTRACT OFF
 // light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing.
 //
 // In:  attributes of flat draws (morphed positions in object space), indices, draws, blocks, lights.
@@ -7,6 +6,9 @@
 // Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
 // double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
 // One work-item walks a chunk of blocks.
+
+#ifndef MORPHCL_LIGHT_FACES_H
+#define MORPHCL_LIGHT_FACES_H
 
 #include "layout.h"
 #include "vector.h"
@@ -62,8 +64,4 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
   }
 }
 
-kernel void light_faces(constant const FrameConstants* frame, global const DrawConstants* draws,
-                        global const uint* block_draw, global const uint* indices, global const LightConstants* lights,
-                        global const int4* attributes, global int4* face_color) {
-  light_chunk((uint)get_global_id(0), frame, draws, block_draw, indices, lights, attributes, face_color);
-}
+#endif
