@@ -42,8 +42,8 @@ struct Camera {
   Projection projection = Perspective{};
   int node = -1;
   glm::dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
-  Track eye_track, target_track, up_track;  // width 3
-  Track fovy_track, near_track, far_track;  // width 1
+  Track eye_track, target_track, up_track;              // width 3
+  Track fovy_track, fovx_track, near_track, far_track;  // width 1; fovy moves Perspective, fovx HorizontalPerspective
 };
 
 enum class LightKind { directional, point };
@@ -68,7 +68,7 @@ struct Timeline {
 
   // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
   // width, weights that drive no target, a camera node out of range, a constant that is not finite, a rotation of
-  // length 0, a fovy track on another projection than Perspective.
+  // length 0, a fovy or fovx track on a projection that has no such field of view.
   void validate() const;
 };
 

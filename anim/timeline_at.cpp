@@ -36,6 +36,8 @@ Projection evaluate_projection(const Camera& camera, std::int64_t tick) {
   Projection projection = camera.projection;
   if (auto* perspective = std::get_if<Perspective>(&projection))
     perspective->fovy_degrees = sample(camera.fovy_track, perspective->fovy_degrees, tick);
+  if (auto* perspective = std::get_if<HorizontalPerspective>(&projection))
+    perspective->fovx_degrees = sample(camera.fovx_track, perspective->fovx_degrees, tick);
   std::visit(
       [&](auto& p) {
         p.near = sample(camera.near_track, p.near, tick);

@@ -84,10 +84,13 @@ void check_camera(const Camera& camera, std::size_t nodes) {
   check_track(camera.target_track, 3, false, place, "target");
   check_track(camera.up_track, 3, false, place, "up");
   check_track(camera.fovy_track, 1, false, place, "fovy");
+  check_track(camera.fovx_track, 1, false, place, "fovx");
   check_track(camera.near_track, 1, false, place, "near");
   check_track(camera.far_track, 1, false, place, "far");
   require(camera.fovy_track.empty() || std::holds_alternative<Perspective>(camera.projection), place,
-          "a fovy track needs a projection with a field of view: perspective");
+          "a fovy track needs a projection with a vertical field of view: perspective");
+  require(camera.fovx_track.empty() || std::holds_alternative<HorizontalPerspective>(camera.projection), place,
+          "a fovx track needs a projection with a horizontal field of view: perspective");
 }
 
 void check_light(const Light& light, std::size_t index) {

@@ -52,8 +52,10 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
     centre.y = row_times_point(draw->object_to_eye[1], mid_x, mid_y, mid_z);
     centre.z = row_times_point(draw->object_to_eye[2], mid_x, mid_y, mid_z);
     if (draw->flags & DRAW_DOUBLE_SIDED) {
-      const float16 away = frame->parallel ? -normal.z : fma(normal.x, centre.x, fma(normal.y, centre.y, normal.z * centre.z));
-      const int16 back = away > 0.0f;
+      // Along the line of sight through the face, away from the viewer.
+      EyeVector away = centre;
+      if (frame->parallel) away.x = frame->slant[0], away.y = frame->slant[1], away.z = -1.0f;
+      const int16 back = dot_product(normal, away) > 0.0f;
       normal.x = select(normal.x, -normal.x, back);
       normal.y = select(normal.y, -normal.y, back);
       normal.z = select(normal.z, -normal.z, back);

@@ -51,12 +51,11 @@ Pose shot_pose(const Timeline& timeline, std::int64_t frame) {
 
 Projection chosen_projection(const Pose& pose, ProjectionKind kind, const DemoSettings& settings, double aspect) {
   const double distance = glm::distance(pose.eye, pose.target);
-  if (kind == ProjectionKind::orthographic) {
-    if (settings.orthographic) return widened(*settings.orthographic, aspect);
-    return matching_orthographic(pose.projection, distance, aspect);
-  }
-  if (settings.frustum) return widened(*settings.frustum, aspect);
+  const bool parallel = kind == ProjectionKind::orthographic;
+  if (parallel && settings.orthographic) return widened(*settings.orthographic, aspect);
+  if (!parallel && settings.frustum) return widened(*settings.frustum, aspect);
   if (kind_of(pose.projection) == kind) return pose.projection;
+  if (parallel) return matching_orthographic(pose.projection, distance, aspect);
   return matching_frustum(pose.projection, distance, aspect);
 }
 

@@ -78,6 +78,7 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   frame.near_w = plan.near_w, frame.near_depth = plan.near_depth;
   frame.far_depth = plan.far_depth, frame.near = plan.near;
   copy(plan.ray, frame.ray);
+  copy(plan.slant, frame.slant);
   frame.width = plan.width, frame.height = plan.height;
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
   frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;

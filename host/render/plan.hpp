@@ -50,7 +50,7 @@ struct FramePlan {
   std::vector<Draw> draws;
   std::vector<EyeLight> lights;
   std::array<float, 3> ambient{};
-  bool parallel = false;              // orthographic: w is 1 everywhere
+  bool parallel = false;              // parallel projectors: w is 1 everywhere
   std::array<float, 3> near_plane{};  // distance in front of it: [0] depth row + [1] w row + [2]; 0 or more is drawn
   float near_w = 1;                   // w on the near plane
   float near_depth = 0;               // depth on the near plane; larger depths are nearer
@@ -62,8 +62,11 @@ struct FramePlan {
   bool keeps_vertices = true;         // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;      // tiles that were and stay background are not written again
   // Eye position of a pixel for point lights, from its centre (x, y) and its distance d along the axis:
-  // (x * ray[0] + ray[1]) * (parallel ? 1 : d) and so on for y with ray[2], ray[3].
+  // perspective: (x * ray[0] + ray[1]) * d, parallel: x * ray[0] + ray[1] + d * slant[0]; so on for y with ray[2],
+  // ray[3] and slant[1]. The slant is how far a parallel projector leads sideways per unit of distance: 0 unless
+  // oblique.
   std::array<float, 4> ray{};
+  std::array<float, 2> slant{};
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
 };
 

@@ -44,10 +44,11 @@ struct CameraKey {
   std::array<float, 3> near_plane;
   float near_w, near_depth, far_depth, near;
   std::array<float, 4> ray;
+  std::array<float, 2> slant;
   std::array<float, 3> ambient;
   std::uint32_t light_count, draw_count;
 };
-static_assert(sizeof(CameraKey) == 21 * 4);
+static_assert(sizeof(CameraKey) == 23 * 4);
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -72,8 +73,8 @@ PlanDigest pixel_digest(const FramePlan& plan) {
   const auto count = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
   Digester digester;
   digester.add(CameraKey{plan.width, plan.height, plan.color, plan.depth, plan.parallel, plan.near_plane, plan.near_w,
-                         plan.near_depth, plan.far_depth, plan.near, plan.ray, plan.ambient, count(plan.lights.size()),
-                         count(plan.draws.size())});
+                         plan.near_depth, plan.far_depth, plan.near, plan.ray, plan.slant, plan.ambient,
+                         count(plan.lights.size()), count(plan.draws.size())});
   for (const EyeLight& light : plan.lights)
     digester.add(LightKey{static_cast<std::uint32_t>(light.kind), light.falloff, light.vector, light.color});
   for (const Draw& draw : plan.draws) {

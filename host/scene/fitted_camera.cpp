@@ -136,7 +136,7 @@ FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& w
     for (const WeightTrack& track : weights.tracks) include_track(track.track);
   const Camera& camera = timeline.camera;
   for (const Track* track : {&camera.eye_track, &camera.target_track, &camera.up_track, &camera.fovy_track,
-                             &camera.near_track, &camera.far_track})
+                             &camera.fovx_track, &camera.near_track, &camera.far_track})
     include_track(*track);
   for (const Light& light : timeline.lights)
     for (const Track* track : {&light.vector_track, &light.color_track}) include_track(*track);

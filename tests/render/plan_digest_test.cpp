@@ -42,6 +42,7 @@ const std::vector<Change> changes_of_pixels{
     {"far_depth", [](FramePlan& p) { p.far_depth = 2; }},
     {"near", [](FramePlan& p) { p.near = 2; }},
     {"ray", [](FramePlan& p) { p.ray[3] = 1; }},
+    {"slant", [](FramePlan& p) { p.slant[1] = 1; }},
     {"ambient", [](FramePlan& p) { p.ambient[1] = 1; }},
     {"no light", [](FramePlan& p) { p.lights.clear(); }},
     {"light's kind", [](FramePlan& p) { p.lights[0].kind = LightKind::directional; }},

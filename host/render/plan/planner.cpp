@@ -73,12 +73,14 @@ void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FrameP
   plan.near_plane = volume.near_plane;
   plan.near_w = volume.near_w, plan.near_depth = volume.near_depth;
   plan.far_depth = volume.far_depth, plan.near = volume.near;
-  // x_ndc = (P00 x + P02 z + P03) / w, and z = -d: solved for the eye's x at distance d.
+  // x_ndc = (P00 x + P02 z + P03) / w, and z = -d: solved for the eye's x at distance d. P02 is a shift of the window
+  // in perspective, the slant of the projectors in parallel projections.
   const glm::dmat4& ndc = volume.eye_to_ndc;
   const auto ray = [&](int axis, double pixel_scale, double pixel_offset, int at) {
     const double shift = plan.parallel ? -ndc[3][axis] : ndc[2][axis];
     plan.ray[at] = to_fp32(pixel_scale / ndc[axis][axis]);
     plan.ray[at + 1] = to_fp32((pixel_offset + shift) / ndc[axis][axis]);
+    if (plan.parallel) plan.slant[axis] = to_fp32(ndc[2][axis] / ndc[axis][axis]);
   };
   ray(0, 2.0 / plan.width, -1.0, 0);
   ray(1, -2.0 / plan.height, 1.0, 2);

@@ -143,7 +143,7 @@ class Notes {
                                                    : std::string("not judged") + kept,
          costs_.clipping);
     note("perspective divide", plan_.divides,
-         plan_.parallel ? std::string("orthographic: w is 1") + (plan_.divides ? kept : "") : "perspective",
+         plan_.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "") : "perspective",
          costs_.divide);
     note("depth test", plan_.tests_depth,
          plan_.tests_depth           ? "triangles may lie behind others"
