@@ -3,52 +3,59 @@
 #include <cmath>
 
 #include "host/error.hpp"
-#include "host/math/elementary.hpp"
+#include "host/math/accurate_sine.hpp"
+#include "host/math/circle_constants.hpp"
+#include "host/math/sine_kernel.hpp"
 
 namespace morphcl {
 
 namespace {
 
-// pi/180 and 180/pi as unevaluated sums of two doubles, 106 bits.
-constexpr double radians_per_degree = 0x1.1df46a2529d39p-6, radians_per_degree_low = 0x1.5c1d8becdd291p-62;
+// 180/pi as an unevaluated sum of two doubles.
 constexpr double degrees_per_radian = 0x1.ca5dc1a63c1f8p+5, degrees_per_radian_low = -0x1.1e7ab456405f9p-49;
 
-// Sine and cosine of an angle in [-45, 45] degrees.
-SinCos first_octants(double angle) {
-  const double x = angle * radians_per_degree;
-  const double x_low = std::fma(angle, radians_per_degree, -x) + angle * radians_per_degree_low;
-  const double z = x * x;
-  const double z_low = std::fma(x, x, -z);
+// The kernel's, with the conversion to radians and the rounding test's own roundings.
+constexpr double error_bound = 2 * sine_kernel_error;
 
-  const double sine_rest = std::fma(x * z, sine_tail(z), x_low * std::fma(-0.5, z, 1.0));
+Float256 accurate_radians(double degrees) { return to_float_256(degrees) * radians_per_degree_float; }
 
-  const double head = 1 - 0.5 * z;
-  const double head_low = (1 - head) - 0.5 * z;
-  const double cosine_rest = std::fma(z * z, cosine_tail(z), -std::fma(x, x_low, 0.5 * z_low));
-  return {x + sine_rest, head + (head_low + cosine_rest)};
+// Of an angle in [0, 45] degrees.
+MORPHCL_INLINED double sine_of_octant(double degrees, const DoubleDouble& r) {
+  constexpr double least = 0x1p-900;  // below it the low parts of the fast phase may be lost
+  if (degrees >= least)
+    if (const auto fast = rounded(sine_kernel(r), error_bound)) return *fast;
+  return to_double(accurate_sine(accurate_radians(degrees)));
+}
+
+MORPHCL_INLINED double cosine_of_octant(double degrees, const DoubleDouble& r) {
+  if (const auto fast = rounded(cosine_kernel(r), error_bound)) return *fast;
+  return to_double(to_float_256(accurate_cosine(accurate_radians(degrees))));
 }
 
 }  // namespace
 
-SinCos sin_cos_degrees(double degrees) {
+MORPHCL_WITH_HARDWARE_FMA SinCos sin_cos_degrees(double degrees) {
   if (!std::isfinite(degrees)) throw Error(ErrorKind::usage, "", "an angle is not a finite number; give it in degrees");
   int quarter_turns = 0;
-  const double rest = std::remquo(degrees, 90.0, &quarter_turns);
-  const SinCos turned = first_octants(rest);
+  const double rest = std::remquo(degrees, 90.0, &quarter_turns), size = std::abs(rest);
+  const DoubleDouble r = radians_per_degree_double_double * size;
+  const double sin = size == 0 ? 0 : std::copysign(sine_of_octant(size, r), rest), cos = cosine_of_octant(size, r);
   // Adding 0 turns -0 into +0, so that equal rotations have equal bits.
   switch (quarter_turns & 3) {
     case 0:
-      return {turned.sin + 0.0, turned.cos + 0.0};
+      return {sin + 0.0, cos};
     case 1:
-      return {turned.cos + 0.0, -turned.sin + 0.0};
+      return {cos, -sin + 0.0};
     case 2:
-      return {-turned.sin + 0.0, -turned.cos + 0.0};
+      return {-sin + 0.0, -cos};
     default:
-      return {-turned.cos + 0.0, turned.sin + 0.0};
+      return {-cos, sin + 0.0};
   }
 }
 
-double radians(double degrees) { return std::fma(degrees, radians_per_degree, degrees * radians_per_degree_low); }
+double radians(double degrees) {
+  return std::fma(degrees, radians_per_degree_double_double.high, degrees * radians_per_degree_double_double.low);
+}
 
 double degrees(double radians) { return std::fma(radians, degrees_per_radian, radians * degrees_per_radian_low); }
 

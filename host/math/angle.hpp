@@ -1,8 +1,6 @@
-// Sine and cosine of an angle in degrees, exact wherever they are rational (multiples of 90; 0.5 at 30 and 60) and with
-// sin = cos at 45. The one reduction modulo 360 is exact, so that 1e15 + 30 degrees is as good as 30.
-//
-// Error elsewhere: less than 1 ulp. The reduced angle is carried to radians with twice the precision, the Taylor series
-// of host/math/elementary.hpp does the rest, so the same bits come out on every IEEE machine.
+// Sine and cosine of an angle in degrees, correctly rounded: exact wherever they are rational (multiples of 90; 0.5 at
+// 30 and 60) and with sin = cos at 45. The one reduction modulo 360 is exact, so that 1e15 + 30 degrees is as good
+// as 30. Method and limits of the proof: host/math/trigonometry.hpp. Results that are 0 are +0.
 #pragma once
 
 namespace morphcl {

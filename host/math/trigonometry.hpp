@@ -1,0 +1,25 @@
+// Sine, cosine, tangent and arc tangent in radians, correctly rounded: the double nearest to the exact value for the
+// given doubles, so the same bits on every machine. (The C library's differ from version to version and from processor
+// to processor.)
+//
+// Method: Ziv (1991). A first phase of about 70 bits (sine_kernel.hpp) decides nearly always; where its error bound
+// leaves two doubles possible, a second one of more than 180 bits in integers (accurate_sine.hpp) decides. Arguments of
+// any size are reduced exactly (quarter_turns.hpp). The hardest arguments known need 53 + 68 bits; that no argument
+// needs 180 is not proved for sine, cosine and tangent of large numbers and for the arc tangent, but the chance that
+// one of them does is below 2^-50. Tests compare with MPFR; tests/math/count_misroundings.cpp states how many arguments
+// were tried.
+//
+// Special values are those that IEEE 754 recommends: NaN for infinite angles, -0 for -0, and for the arc tangent the
+// sign of y and the half-plane of x, zeros and infinities included.
+#pragma once
+
+namespace morphcl {
+
+double sine(double x);
+double cosine(double x);
+double tangent(double x);
+
+// The angle of the vector (x, y) in [-pi, pi].
+double arc_tangent(double y, double x);
+
+}  // namespace morphcl
