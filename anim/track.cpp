@@ -17,6 +17,10 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
 
+void require(bool holds, const char* what, double value, double least, double most) {
+  if (!holds) refuse(fmt::format("a spring's {} is {}; it must be {} to {}", what, value, least, most));
+}
+
 std::size_t values_per_key(Interpolation interpolation, int width) {
   return static_cast<std::size_t>(width) * (interpolation == Interpolation::cubic ? 3 : 1);
 }
@@ -39,6 +43,13 @@ bool is_zero(const double* xyzw) {
   return std::all_of(xyzw, xyzw + 4, [](double c) { return c == 0; });
 }
 
+void normalize_or(const double* fallback, double* xyzw) {
+  if (is_zero(xyzw))
+    std::copy_n(fallback, 4, xyzw);
+  else
+    store(normalized(load(xyzw)), xyzw);
+}
+
 }  // namespace
 
 Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t ticks_per_second,
@@ -49,6 +60,7 @@ Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t
       ticks_per_second_(static_cast<double>(ticks_per_second)),
       ticks_(std::move(ticks)),
       values_(std::move(values)) {
+  if (interpolation == Interpolation::spring) refuse("a spring track needs a spring; use Track::on_spring");
   if (width < 1) refuse(fmt::format("a track has {} components a key; it needs at least 1", width));
   if (rotation && width != 4)
     refuse(fmt::format("a rotation track has {} components a key; it needs 4: x y z w", width));
@@ -70,15 +82,83 @@ Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t
       refuse(fmt::format("key {} of a rotation track is 0 0 0 0; a rotation is a quaternion of length 1", key));
 }
 
+Track Track::on_spring(const Spring& spring, Interpolation follows, int width, bool rotation,
+                       std::int64_t ticks_per_second, std::vector<std::int64_t> ticks, std::vector<double> values) {
+  const Spring slowest = spring_of_frequency(min_spring_frequency_hz, 0),
+               fastest = spring_of_frequency(max_spring_frequency_hz, 0);
+  const double omega = spring.angular_frequency, zeta = spring.damping_ratio;
+  require(omega >= slowest.angular_frequency && omega <= fastest.angular_frequency, "angular frequency", omega,
+          slowest.angular_frequency, fastest.angular_frequency);
+  require(zeta >= 0 && zeta <= max_damping_ratio, "damping ratio", zeta, 0, max_damping_ratio);
+  Track track(follows, width, rotation, ticks_per_second, std::move(ticks), std::move(values));
+  if (rotation) track.normalize_keys();
+  track.spring_ = std::make_shared<const SpringMotion>(spring, track);
+  return track;
+}
+
+// Unit length and no two neighbours on opposite sides, tangents with them: what can be followed component by component.
+void Track::normalize_keys() {
+  const std::size_t per_key = values_per_key(interpolation_, width_);
+  const std::size_t offset = interpolation_ == Interpolation::cubic ? 4 : 0;
+  glm::dquat before(1, 0, 0, 0);
+  for (std::size_t key = 0; key < ticks_.size(); ++key) {
+    double* const values = values_.data() + key * per_key;
+    const glm::dquat given = load(values + offset);
+    glm::dquat unit = normalized(given);
+    const bool turned = key > 0 && glm::dot(before, unit) < 0;
+    if (turned) unit = -unit;
+    // Tangents are scaled as the key is.
+    const double* const largest = std::max_element(values + offset, values + offset + 4,
+                                                   [](double a, double b) { return std::abs(a) < std::abs(b); });
+    double components[4];
+    store(unit, components);
+    const double factor = components[largest - (values + offset)] / *largest;
+    for (std::size_t i = 0; i < per_key; ++i) values[i] *= factor;
+    std::copy_n(components, 4, values + offset);
+    before = unit;
+  }
+}
+
 const double* Track::key_value(std::size_t key) const {
   const bool cubic = interpolation_ == Interpolation::cubic;
   return values_.data() + key * values_per_key(interpolation_, width_) + (cubic ? width_ : 0);
 }
 
-void Track::evaluate(std::int64_t tick, double* out) const {
+std::size_t Track::key_before(std::int64_t tick) const {
   const auto next = std::upper_bound(ticks_.begin(), ticks_.end(), tick);
-  const std::size_t key = next == ticks_.begin() ? 0 : static_cast<std::size_t>(next - ticks_.begin()) - 1;
-  const bool holds = tick <= ticks_[key] || next == ticks_.end() || interpolation_ == Interpolation::step;
+  return next == ticks_.begin() ? 0 : static_cast<std::size_t>(next - ticks_.begin()) - 1;
+}
+
+double Track::seconds_from_key(std::size_t key, std::int64_t tick) const {
+  return distance(ticks_[key], tick) / ticks_per_second_;
+}
+
+Cubic Track::curve_from(std::size_t key, int component) const {
+  const double* a = key_value(key) + component;
+  if (key + 1 == ticks_.size() || interpolation_ == Interpolation::step) return {*a, 0, 0, 0};
+  const double* b = key_value(key + 1) + component;
+  const double seconds = seconds_from_key(key, ticks_[key + 1]), slope = (*b - *a) / seconds;
+  if (interpolation_ == Interpolation::linear) return {*a, slope, 0, 0};
+  const double out_tangent = a[width_], in_tangent = b[-width_];
+  return {*a, out_tangent, ((slope - out_tangent) + (slope - out_tangent) + (slope - in_tangent)) / seconds,
+          ((out_tangent - slope) + (in_tangent - slope)) / seconds / seconds};
+}
+
+std::int64_t Track::end_tick() const {
+  if (!spring_) return last_tick();
+  constexpr double most = 0x1p62;
+  const double settling = std::ceil(settling_seconds(spring_->spring()) * ticks_per_second_);
+  return last_tick() + static_cast<std::int64_t>(std::min(settling, most - std::abs(static_cast<double>(last_tick()))));
+}
+
+void Track::evaluate(std::int64_t tick, double* out) const {
+  if (spring_) {
+    spring_->evaluate(*this, tick, out);
+    if (rotation_) normalize_or(key_value(key_before(tick)), out);
+    return;
+  }
+  const std::size_t key = key_before(tick);
+  const bool holds = tick <= ticks_[key] || key + 1 == ticks_.size() || interpolation_ == Interpolation::step;
   if (holds)
     std::copy_n(key_value(key), width_, out);
   else
@@ -106,14 +186,12 @@ void Track::hermite(std::size_t key, double u, double seconds, double* out) cons
   const double out_weight = u * v * v * seconds, in_weight = -u * u * v * seconds;
   for (int i = 0; i < width_; ++i)
     out[i] = lerp(a[i], b[i], to_b) + std::fma(out_weight, out_tangent[i], in_weight * in_tangent[i]);
-  if (!rotation_) return;
-  if (is_zero(out))
-    std::copy_n(a, 4, out);
-  else
-    store(normalized(load(out)), out);
+  if (rotation_) normalize_or(a, out);
 }
 
-ValueRange Track::range(int component) const {
+ValueRange Track::range(int component) const { return spring_ ? spring_range(component) : key_range(component); }
+
+ValueRange Track::key_range(int component) const {
   ValueRange range{key_value(0)[component], key_value(0)[component]};
   const auto include = [&range](double value) { range = {std::min(range.lower, value), std::max(range.upper, value)}; };
   for (std::size_t key = 1; key < ticks_.size(); ++key) include(key_value(key)[component]);
@@ -128,6 +206,30 @@ ValueRange Track::range(int component) const {
     reach = std::max(reach, 4.0 / 27.0 * seconds * (std::abs(out_tangent) + std::abs(in_tangent)));
   }
   return {range.lower - reach, range.upper + reach};
+}
+
+// Two bounds hold: the mass leaves the range of its target by at most the factor largest_overshoot(), and since no
+// free motion from rest ever exceeds its start, it is never further from the target than the target has come in all.
+ValueRange Track::spring_range(int component) const {
+  // The rounding of a step changes the energy of a state by a few u, in 2,000,000 keys by less than this part.
+  constexpr double rounding = 1e-8;
+  const ValueRange followed = key_range(component);
+  double travel = 0;
+  for (std::size_t key = 0; key + 1 < ticks_.size(); ++key) {
+    const double *a = key_value(key) + component, *b = key_value(key + 1) + component;
+    if (interpolation_ != Interpolation::cubic) {
+      travel += std::abs(*b - *a);
+      continue;
+    }
+    // A cubic is no longer than its control polygon.
+    const double third = seconds_from_key(key, ticks_[key + 1]) / 3;
+    const double first = a[width_] * third, last = b[-width_] * third;
+    travel += std::abs(first) + std::abs(last) + std::abs((*b - *a) - (first + last));
+  }
+  const double half = 0.5 * followed.upper - 0.5 * followed.lower, middle = 0.5 * followed.lower + 0.5 * followed.upper;
+  const double overshoot = largest_overshoot(spring_->spring().damping_ratio);
+  const double reach = half == 0 ? 0 : std::min(half * overshoot, half + travel) * (1 + rounding);
+  return {middle - reach, middle + reach};
 }
 
 }  // namespace morphcl

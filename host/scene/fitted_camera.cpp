@@ -127,7 +127,7 @@ Light key_light() {
 FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& warnings) {
   std::int64_t last_tick = 0;
   const auto include_track = [&](const Track& track) {
-    if (!track.empty()) last_tick = std::max(last_tick, track.last_tick());
+    if (!track.empty()) last_tick = std::max(last_tick, track.end_tick());
   };
   for (const Node& node : timeline.nodes)
     for (const Track* track : {&node.translation_track, &node.rotation_track, &node.scale_track, &node.visible_track})

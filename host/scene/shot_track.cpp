@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "host/scene/frame_range.hpp"
@@ -101,15 +104,45 @@ void set_catmull_rom_tangents(std::vector<TrackKey>& keys) {
   }
 }
 
-Interpolation read_interpolation(const ShotTable& track, KeyValue kind) {
-  const auto given = track.find("interpolation");
-  if (!given) return kind == KeyValue::flag ? Interpolation::step : Interpolation::linear;
-  const std::string& name = given->text();
-  if (name == "spring") given->fail("interpolation \"spring\": not drawn by this version: step, linear and cubic are");
-  if (name != "step" && name != "linear" && name != "cubic")
-    given->fail(fmt::format("unknown interpolation \"{}\"{}", name, suggestion(name, {"step", "linear", "cubic"})));
-  if (kind == KeyValue::flag && name != "step") given->fail("true and false have nothing between them; use \"step\"");
+Interpolation key_rule(const ShotValue& given, const std::vector<std::string_view>& known) {
+  const std::string& name = given.text();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    given.fail(fmt::format("unknown {} \"{}\"{}", given.name(), name, suggestion(name, known)));
+  if (name == "spring") return Interpolation::spring;
   return name == "step" ? Interpolation::step : name == "linear" ? Interpolation::linear : Interpolation::cubic;
+}
+
+double read_within(const ShotValue& value, double least, double most, const char* unit) {
+  const double number = value.number();
+  if (!(number >= least && number <= most))
+    value.fail(fmt::format("{} is {}; {} to {}{} is possible", value.name(), number, least, most, unit));
+  return number;
+}
+
+// How the values between keys are found, and the spring that follows them, where there is one.
+struct Motion {
+  Interpolation keys = Interpolation::linear;
+  std::optional<Spring> spring;
+};
+
+Motion read_motion(const ShotTable& track, KeyValue kind) {
+  const auto given = track.find("interpolation");
+  const Interpolation interpolation = given                    ? key_rule(*given, {"step", "linear", "cubic", "spring"})
+                                      : kind == KeyValue::flag ? Interpolation::step
+                                                               : Interpolation::linear;
+  if (kind == KeyValue::flag && interpolation != Interpolation::step)
+    given->fail("true and false have nothing between them; use \"step\"");
+  if (interpolation != Interpolation::spring) {
+    for (const char* key : {"frequency", "damping_ratio", "follows"})
+      if (const auto value = track.find(key)) value->fail(fmt::format("only a spring has a {}", key));
+    return {interpolation, std::nullopt};
+  }
+  const double frequency =
+      read_within(track.need("frequency"), min_spring_frequency_hz, max_spring_frequency_hz, " Hz");
+  const auto damping = track.find("damping_ratio");
+  const auto follows = track.find("follows");
+  return {follows ? key_rule(*follows, {"step", "linear", "cubic"}) : Interpolation::linear,
+          spring_of_frequency(frequency, damping ? read_within(*damping, 0, max_damping_ratio, "") : 0.5)};
 }
 
 }  // namespace
@@ -120,7 +153,8 @@ void TrackReader::charge_keys(const ShotValue& at, std::size_t count) {
 }
 
 Track TrackReader::read(const ShotTable& track, KeyValue kind, double factor) {
-  const Interpolation interpolation = read_interpolation(track, kind);
+  const Motion motion = read_motion(track, kind);
+  const Interpolation interpolation = motion.keys;
   const bool cubic = interpolation == Interpolation::cubic, rotation = kind == KeyValue::rotation;
   const ShotValue list = track.need("keys");
   charge_keys(list, list.size());
@@ -147,8 +181,11 @@ Track TrackReader::read(const ShotTable& track, KeyValue kind, double factor) {
     for (std::size_t c = 0; c < width(kind) && cubic; ++c) values.push_back(tangent_factor * key.out_tangent[c]);
   }
   return placed_at(list, [&] {
-    return Track(interpolation, static_cast<int>(width(kind)), rotation, time_.ticks_per_second(), std::move(ticks),
-                 std::move(values));
+    const int components = static_cast<int>(width(kind));
+    return motion.spring ? Track::on_spring(*motion.spring, interpolation, components, rotation,
+                                            time_.ticks_per_second(), std::move(ticks), std::move(values))
+                         : Track(interpolation, components, rotation, time_.ticks_per_second(), std::move(ticks),
+                                 std::move(values));
   });
 }
 

@@ -24,14 +24,17 @@ class TrackReader {
   explicit TrackReader(const TimeBase& time) : time_(time) {}
 
   // The table of a track, its keys checked, and the value of its key `target`.
-  static ShotTable table(const ShotValue& track) { return track.table({"target", "interpolation", "keys"}); }
+  static ShotTable table(const ShotValue& track) {
+    return track.table({"target", "interpolation", "frequency", "damping_ratio", "follows", "keys"});
+  }
   static ShotValue target(const ShotTable& track) { return track.need("target"); }
 
   // Values and tangents are multiplied by `factor`.
   //
   // Keys are [frame, value]; cubic ones are [frame, value, in_tangent, out_tangent] with tangents as change per frame,
   // or all of them [frame, value]: then the tangents are those of Catmull and Rom, the slope between a key's two
-  // neighbours, at the ends the slope to the only neighbour. Rotations: see rotation_keys.hpp.
+  // neighbours, at the ends the slope to the only neighbour. A spring follows keys of the kind that `follows` names.
+  // Rotations: see rotation_keys.hpp.
   Track read(const ShotTable& track, KeyValue kind, double factor = 1);
 
  private:

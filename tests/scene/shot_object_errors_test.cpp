@@ -97,6 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 #define TRACK "mesh = \"pyramid_to_cube\"\n[[object.track]]\n"
+#define SPRING "target = \"morph.cube\"\ninterpolation = \"spring\"\n"
 INSTANTIATE_TEST_SUITE_P(
     Track, WrongObject,
     ::testing::Values(
@@ -114,8 +115,23 @@ INSTANTIATE_TEST_SUITE_P(
               TRACK
               "target = \"morph.cube\"\nkeys = [[0, 1]]\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
               "7:10: morph.cube is driven twice"},
-        Wrong{"Spring", TRACK "target = \"morph.cube\"\ninterpolation = \"spring\"\nkeys = [[0, 1]]",
-              "5:17: interpolation \"spring\": not drawn by this version: step, linear and cubic are"},
+        Wrong{"SpringWithoutFrequency", TRACK "target = \"morph.cube\"\ninterpolation = \"spring\"\nkeys = [[0, 1]]",
+              "3:1: track needs the key \"frequency\""},
+        Wrong{"SpringOfNoFrequency", TRACK SPRING "frequency = 0\nkeys = [[0, 1]]",
+              "6:13: frequency is 0; 1e-06 to 10000000 Hz is possible"},
+        Wrong{"SpringOfText", TRACK SPRING "frequency = \"2 Hz\"\nkeys = [[0, 1]]",
+              "6:13: frequency is a string; a number is needed"},
+        Wrong{"SpringOfNegativeDamping", TRACK SPRING "frequency = 2\ndamping_ratio = -0.5\nkeys = [[0, 1]]",
+              "7:17: damping_ratio is -0.5; 0 to 1000000 is possible"},
+        Wrong{"SpringFollowsASpring", TRACK SPRING "frequency = 2\nfollows = \"spring\"\nkeys = [[0, 1]]",
+              "7:11: unknown follows \"spring\"; known: step, linear, cubic"},
+        Wrong{"SpringFollowsOneCubicKey", TRACK SPRING "frequency = 2\nfollows = \"cubic\"\nkeys = [[0, 1]]",
+              "8:8: a cubic track needs at least two keys"},
+        Wrong{"FrequencyWithoutASpring", TRACK "target = \"morph.cube\"\nfrequency = 2\nkeys = [[0, 1]]",
+              "5:13: only a spring has a frequency"},
+        Wrong{"VisibleOnASpring",
+              TRACK "target = \"visible\"\ninterpolation = \"spring\"\nfrequency = 2\nkeys = [[0, true]]",
+              "5:17: true and false have nothing between them; use \"step\""},
         Wrong{"UnknownInterpolation", TRACK "target = \"morph.cube\"\ninterpolation = \"linaer\"\nkeys = [[0, 1]]",
               "5:17: unknown interpolation \"linaer\"; did you mean \"linear\"?"},
         Wrong{"NoKeys", TRACK "target = \"morph.cube\"\nkeys = []",

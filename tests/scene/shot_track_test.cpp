@@ -113,6 +113,43 @@ TEST(ShotTrack, CubicRotationTakesQuaternionsOfEitherSign) {
   for (int frame = 0; frame <= 20; ++frame) EXPECT_EQ(x_axis_at(scene, frame), x_axis_at(negated, frame)) << frame;
 }
 
+TEST(ShotTrack, SpringsFollowTheirKeys) {
+  const Scene scene = with_track(
+      "target = \"morph.cube\"\ninterpolation = \"spring\"\nfrequency = 2\ndamping_ratio = 0.25\n"
+      "follows = \"step\"\nkeys = [[0, 0], [5, 1]]");
+  EXPECT_EQ(weight_at(scene, 5), 0);
+  // From rest towards 1: 1 - e^-at (cos dt + a/d sin dt).
+  for (int frame = 6; frame < 60; ++frame) {
+    const double t = (frame - 5) / 25.0, omega = 2 * M_PI * 2, a = 0.25 * omega, d = omega * std::sqrt(1 - 0.25 * 0.25);
+    EXPECT_NEAR(weight_at(scene, frame), 1 - std::exp(-a * t) * (std::cos(d * t) + a / d * std::sin(d * t)),
+                rounding_bound)
+        << "frame " << frame;
+  }
+  // Without a range the last frame is the one by which it has settled: ln 1000 / a = 2.2 s after the key.
+  EXPECT_EQ(frame_numbers(scene.frames).back(), 5 + static_cast<int>(std::log(1000) / (M_PI)*25));
+}
+
+TEST(ShotTrack, SpringsFollowLinesByDefault) {
+  const Scene scene =
+      with_track("target = \"morph.cube\"\ninterpolation = \"spring\"\nfrequency = 1000\nkeys = [[0, 0], [100, 100]]");
+  // A stiff spring lags behind a moving target by 2 zeta / omega; the damping ratio is 1/2.
+  EXPECT_NEAR(weight_at(scene, 50), 50 - 25 / (2 * M_PI * 1000), rounding_bound * 10);
+}
+
+TEST(ShotTrack, ARotationOnASpringTurnsTheWholeWay) {
+  const Scene scene = with_track(
+      "target = \"rotation\"\ninterpolation = \"spring\"\nfrequency = 100\n"
+      "keys = [[0, { axis = [0, 0, 1], degrees = 0 }], [100, { axis = [0, 0, 1], degrees = 720 }]]");
+  double turned = 0;
+  glm::dvec3 before = x_axis_at(scene, 0);
+  for (int frame = 1; frame <= 110; ++frame) {
+    const glm::dvec3 now = x_axis_at(scene, frame);
+    turned += std::atan2(before.x * now.y - before.y * now.x, glm::dot(before, now));
+    before = now;
+  }
+  EXPECT_NEAR(turned, 4 * M_PI, 1e-6);
+}
+
 TEST(ShotTrack, MovesScalesAndHides) {
   const Scene scene = ShotFolder().load(R"(
 [[object]]
