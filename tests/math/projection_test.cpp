@@ -74,7 +74,7 @@ TEST(Projection, DepthIsMinusOneAtNearAndOneAtFar) {
     EXPECT_TRUE(within(transform_point(m, {0, 0, -3}).z, 1.0, point_bound)) << p.index();
     EXPECT_EQ(near_distance(p), 1);
     EXPECT_EQ(far_distance(p), 3);
-    EXPECT_EQ(is_parallel(p), p.index() == 2);
+    EXPECT_EQ(is_parallel(p), std::holds_alternative<Orthographic>(p));
   }
   expect_image(matrix(Frustum{-1, 1, -1, 1, 1, 3}), {0, 0, -1.5}, {0, 0, 0});
 }
