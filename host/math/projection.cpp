@@ -6,9 +6,9 @@
 
 #include "host/error.hpp"
 #include "host/math/angle.hpp"
-#include "host/math/elementary.hpp"
 #include "host/math/finite.hpp"
 #include "host/math/require_number.hpp"
+#include "host/math/trigonometry.hpp"
 
 namespace morphcl {
 
@@ -160,7 +160,7 @@ double fovy_from_fovx_degrees(double fovx_degrees, double aspect) {
   require_number(fovx_degrees > 0 && fovx_degrees < 180, "fovx_degrees", fovx_degrees, "between 0 and 180");
   require_aspect(aspect);
   const SinCos half = sin_cos_degrees(0.5 * fovx_degrees);
-  return degrees(2 * quadrant_angle(half.sin, half.cos * aspect));
+  return degrees(2 * arc_tangent(half.sin, half.cos * aspect));
 }
 
 glm::dmat4 central_projection(double eye_z) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/math/elementary.hpp"
 #include "host/math/kahan.hpp"
+#include "host/math/trigonometry.hpp"
 
 namespace morphcl {
 
@@ -29,8 +29,10 @@ double angle_of_scaled(const glm::dquat& a, const glm::dquat& b) {
   const glm::dvec3 planes_w(difference_of_products(a.w, b.x, a.x, b.w), difference_of_products(a.w, b.y, a.y, b.w),
                             difference_of_products(a.w, b.z, a.z, b.w));
   const double wedge = std::sqrt(glm::dot(planes_xyz, planes_xyz) + glm::dot(planes_w, planes_w));
-  return quadrant_angle(wedge, std::abs(dot(a, b)));
+  return arc_tangent(wedge, std::abs(dot(a, b)));
 }
+
+double sinc(double x) { return x == 0 ? 1 : sine(x) / x; }
 
 // b or -b, whichever is nearer to a.
 glm::dquat towards(const glm::dquat& a, const glm::dquat& b) { return dot(a, b) < 0 ? -b : b; }

@@ -1,9 +1,7 @@
 #include "host/math/angle.hpp"
 
 #include <limits>
-#include <vector>
 
-#include "host/math/elementary.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {
@@ -11,16 +9,16 @@ namespace {
 
 using reference::u64;
 
-// Last rounding 0.5 ulp; the series' part is at most 0.11 of the value with 4u relative.
-constexpr double sin_cos_ulp = 1.0;
+// Correctly rounded; the reference itself is within 2^-50 ulp.
+constexpr double sin_cos_ulp = 0.5 + 0x1p-50;
 
 void expect_sin_cos(double degrees) {
   const SinCos computed = sin_cos_degrees(degrees);
   const reference::ExactSinCos exact = reference::sin_cos_degrees(degrees);
   const double sin_error = reference::error_in_ulp(computed.sin, exact.sin);
   const double cos_error = reference::error_in_ulp(computed.cos, exact.cos);
-  EXPECT_LT(std::abs(sin_error), sin_cos_ulp) << "ulp: sine of " << degrees << " degrees is " << computed.sin;
-  EXPECT_LT(std::abs(cos_error), sin_cos_ulp) << "ulp: cosine of " << degrees << " degrees is " << computed.cos;
+  EXPECT_LE(std::abs(sin_error), sin_cos_ulp) << "ulp: sine of " << degrees << " degrees is " << computed.sin;
+  EXPECT_LE(std::abs(cos_error), sin_cos_ulp) << "ulp: cosine of " << degrees << " degrees is " << computed.cos;
 }
 
 TEST(Angle, RightAnglesAreExact) {
@@ -47,7 +45,7 @@ TEST(Angle, RationalAndDiagonalValuesAreExact) {
   }
 }
 
-TEST(Angle, RandomAnglesWithinOneUlp) {
+TEST(Angle, RandomAnglesWithinHalfAnUlp) {
   Random random(1);
   for (int i = 0; i < 20000; ++i) expect_sin_cos(random.in(-1000, 1000));
 }
@@ -81,23 +79,6 @@ TEST(Angle, ConversionsWithinOneUlp) {
   }
   EXPECT_EQ(degrees(radians(45)), 45);
   EXPECT_EQ(radians(180), 3.141592653589793);
-}
-
-TEST(Elementary, SincWithinSixUnits) {
-  Random random(3);
-  std::vector<double> inputs{0, 1e-300, 1e-9, 1.5707963267948966, -1.5707963267948966};
-  for (int i = 0; i < 5000; ++i) inputs.push_back(random.in(-1.5707963267948966, 1.5707963267948966));
-  for (const double x : inputs) EXPECT_TRUE(within_relative(sinc(x), reference::sinc(x), 6 * u64)) << "sinc of " << x;
-}
-
-TEST(Elementary, QuadrantAngleWithinTwelveUnits) {
-  Random random(4);
-  std::vector<glm::dvec2> inputs{{0, 1}, {1, 0}, {1, 1}, {1e-300, 1}, {1, 1e-300}, {1e-9, 1}, {1, 0.9999999999999999}};
-  for (int i = 0; i < 5000; ++i) inputs.push_back({random.in(0, 1), random.in(0, 1)});
-  for (const glm::dvec2& v : inputs) {
-    const double computed = quadrant_angle(v.y, v.x);
-    EXPECT_TRUE(within_relative(computed, reference::quadrant_angle(v.y, v.x), 12 * u64)) << v.y << " / " << v.x;
-  }
 }
 
 }  // namespace

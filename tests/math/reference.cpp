@@ -98,8 +98,6 @@ ExactSinCos sin_cos_degrees(double degrees) {
 
 Exact radians(double degrees) { return exact(Real(degrees) * pi / 180); }
 Exact degrees(double radians) { return exact(Real(radians) * 180 / pi); }
-Exact sinc(double x) { return exact(x == 0 ? Real(1) : Real(sin(Real(x)) / Real(x))); }
-Exact quadrant_angle(double y, double x) { return exact(atan2(Real(y), Real(x))); }
 
 Exact decimal(const std::string& digits) {
   const auto slash = digits.find('/');

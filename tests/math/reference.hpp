@@ -27,8 +27,6 @@ struct ExactSinCos {
 ExactSinCos sin_cos_degrees(double degrees);
 Exact radians(double degrees);
 Exact degrees(double radians);
-Exact sinc(double x);
-Exact quadrant_angle(double y, double x);
 Exact decimal(const std::string& digits);  // "0.7816..." or "1000/17"
 
 // Rows of 3 x 4 affine maps.
