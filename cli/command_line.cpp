@@ -6,6 +6,7 @@
 #include <functional>
 #include <new>
 
+#include "cli/compare_command.hpp"
 #include "cli/console.hpp"
 #include "cli/devices_command.hpp"
 #include "cli/exit_code.hpp"
@@ -28,6 +29,7 @@ const char* const examples = R"(Examples:
   morphcl render shot.toml --frames 1-100x2 --size 1280x720 --resume
   morphcl render face.glb --frames 0 --device reference --preview
   morphcl plan shot.toml --frame 57
+  morphcl compare shot.toml --frames 0-100x10 --out error
   morphcl info out/cube.0057.exr
 
 Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
@@ -61,6 +63,15 @@ void add_threads_option(CLI::App& command, int& threads) {
                               most_threads))
       ->check(CLI::Range(1, most_threads))
       ->type_name("N")
+      ->group("Device");
+}
+
+void add_renderer_option(CLI::App& command, std::string& device) {
+  command
+      .add_option(
+          "--device", device,
+          "Index or part of a name (see morphcl devices), or reference (plain C++); default: the first CPU device")
+      ->type_name("NAME|INDEX")
       ->group("Device");
 }
 
@@ -98,12 +109,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   command.add_flag("--resume", options.resume, "Keep frames of the same shot and settings that are whole")
       ->group("Output");
   command.add_flag("--verify", options.verify, "Read every frame back and compare its pixels")->group("Output");
-  command
-      .add_option(
-          "--device", options.device.device,
-          "Index or part of a name (see morphcl devices), or reference (plain C++); default: the first CPU device")
-      ->type_name("NAME|INDEX")
-      ->group("Device");
+  add_renderer_option(command, options.device.device);
   add_threads_option(command, options.device.threads);
   add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
@@ -120,6 +126,40 @@ void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
   add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
   command.callback([&] { action = [&] { return plan_command(options); }; });
+}
+
+void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
+  CLI::App& command =
+      *app.add_subcommand("compare", "Compare frames with an fp64 render of themselves: what differs, and why");
+  command.footer(
+      "Pixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show the\n"
+      "same, as it is, of storage alone (half and float), and of fp32 before storage.");
+  add_scene_options(command, options.scene);
+  CLI::Option* frame =
+      command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
+          ->type_name("N")
+          ->group("Time");
+  command.add_option("--frames", options.frames, "7, 1-10, 1-10x2, commas between")
+      ->type_name("RANGE")
+      ->group("Time")
+      ->excludes(frame);
+  command
+      .add_option("--truth", options.truth,
+                  "grid: fp64 on the same 1/256 pixel grid, what rounding costs; true: vertices where they truly are, "
+                  "what the grid costs as well; both (default)")
+      ->check(CLI::IsMember({"grid", "true", "both"}))
+      ->type_name("grid|true|both")
+      ->group("Comparison");
+  command
+      .add_option("--out", options.out,
+                  "Folder for an EXR of the differences (R, G, B, A absolute, Z relative, mask 1 outline 2 edge 3 "
+                  "order), a PNG of it, and a CSV; default: none")
+      ->type_name("DIR")
+      ->group("Output");
+  add_renderer_option(command, options.device.device);
+  add_threads_option(command, options.device.threads);
+  add_json_flag(command, options.json);
+  command.callback([&] { action = [&] { return compare_command(options); }; });
 }
 
 void add_info(CLI::App& app, InfoOptions& options, Action& action) {
@@ -163,6 +203,7 @@ int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
 int parse_and_run(int argc, char** argv) {
   RenderOptions render;
   PlanOptions plan;
+  CompareOptions compare;
   InfoOptions info;
   DevicesOptions devices;
   DeviceOptions warm;
@@ -173,6 +214,7 @@ int parse_and_run(int argc, char** argv) {
   app.footer(examples);
   add_render(app, render, action);
   add_plan(app, plan, action);
+  add_compare(app, compare, action);
   add_info(app, info, action);
   add_devices(app, devices, action);
   add_warm(app, warm, action);

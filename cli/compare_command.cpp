@@ -1,0 +1,89 @@
+#include "cli/compare_command.hpp"
+
+#include <filesystem>
+#include <span>
+
+#include "cli/compare_report.hpp"
+#include "cli/console.hpp"
+#include "cli/exit_code.hpp"
+#include "host/accuracy/frame/difference_files.hpp"
+#include "host/error.hpp"
+#include "host/image/atomic_file.hpp"
+#include "host/job/frame_pattern.hpp"
+#include "host/scene/frame_range.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+
+using accuracy::FrameDifference;
+using accuracy::Truth;
+
+std::vector<Truth> truths(const std::string& name) {
+  if (name == "grid") return {Truth::on_grid};
+  if (name == "true") return {Truth::true_geometry};
+  return {Truth::on_grid, Truth::true_geometry};
+}
+
+std::vector<std::int64_t> frames_to_compare(const CompareOptions& options, const Scene& scene) {
+  if (options.frame) return {*options.frame};
+  if (options.frames) return frame_numbers(parse_frame_range(*options.frames));
+  return {frame_numbers(scene.frames).front()};
+}
+
+// EXR, PNG and CSV of a folder: NAME.0057.grid.exr, NAME.0057.grid.png, NAME.csv.
+class Files {
+ public:
+  Files(const std::string& folder, const Scene& scene)
+      : folder_(folder), name_(scene.name), csv_(accuracy::csv_header()) {
+    if (!folder_.empty()) check_can_create(path(name_ + ".csv"));
+  }
+
+  void add(const FrameDifference& difference) {
+    if (folder_.empty()) return;
+    const std::string stem =
+        FramePattern(name_ + ".####." + accuracy::name_of(difference.truth)).path(difference.frame);
+    accuracy::write_difference_exr(path(stem + ".exr"), difference);
+    write_png(path(stem + ".png"), accuracy::difference_picture(difference));
+    csv_ += accuracy::csv_lines(difference);
+  }
+
+  void finish() const {
+    if (!folder_.empty()) write_file_atomically(path(name_ + ".csv"), csv_);
+  }
+
+ private:
+  std::string path(const std::string& name) const { return (std::filesystem::path(folder_) / name).string(); }
+
+  std::string folder_, name_, csv_;
+};
+
+}  // namespace
+
+int compare_command(const CompareOptions& options) {
+  if (options.frames) parse_frame_range(*options.frames);  // a wrong one is reported before a large file is read
+  const Scene scene = open_scene(options.scene);
+  const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
+  Files files(options.out, scene);
+  const OpenedRenderer opened = open_renderer(options.device);
+  const Planner planner(scene);
+  for (const std::int64_t frame : frames) {
+    const FramePlan plan = planner.plan(frame);
+    accuracy::check_comparable(plan);
+    FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
+    opened.renderer->render(plan, pixels);
+    const std::vector<reference::ShownPixel> shown = reference::shown_pixels(plan);
+    for (const Truth truth : truths(options.truth)) {
+      const FrameDifference difference = accuracy::compare_with_fp64(scene, plan, pixels, shown, truth);
+      if (options.json)
+        print_difference_json(difference);
+      else
+        print_difference_table(difference);
+      files.add(difference);
+    }
+  }
+  files.finish();
+  return exit_done;
+}
+
+}  // namespace morphcl::cli

@@ -1,0 +1,25 @@
+// morphcl compare: frames against an fp64 render of the same shot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cli/open_renderer.hpp"
+#include "cli/scene_options.hpp"
+
+namespace morphcl::cli {
+
+struct CompareOptions {
+  SceneOptions scene;
+  DeviceOptions device;
+  std::optional<std::int64_t> frame;  // one frame, or
+  std::optional<std::string> frames;  // a range; the first of the shot's range when both are absent
+  std::string truth = "both";         // grid, true or both
+  std::string out;                    // folder for EXR, PNG and CSV; "": none
+  bool json = false;
+};
+
+int compare_command(const CompareOptions& options);
+
+}  // namespace morphcl::cli
