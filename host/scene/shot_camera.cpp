@@ -4,106 +4,67 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
+#include "host/math/principal_view.hpp"
 #include "host/scene/nearest_name.hpp"
+#include "host/scene/shot_projection.hpp"
 
 namespace morphcl {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> later_projections = {"oblique",   "cavalier", "cabinet",
-                                                               "isometric", "dimetric", "trimetric"};
+constexpr double standard_distance = 10;  // from the target, of cameras that are placed by a direction
 
-// Refuses keys that stand in the table although the projection has no use for them.
-void refuse_keys(const ShotTable& table, std::string_view projection, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
+PrincipalView read_view(const ShotValue& value) {
+  const std::string& name = value.text();
+  if (name == "front") return PrincipalView::front;
+  if (name == "back") return PrincipalView::back;
+  if (name == "left") return PrincipalView::left;
+  if (name == "right") return PrincipalView::right;
+  if (name == "top") return PrincipalView::top;
+  if (name == "bottom") return PrincipalView::bottom;
+  value.fail(fmt::format("unknown view \"{}\"{}", name,
+                         suggestion(name, {"front", "back", "left", "right", "top", "bottom"})));
+}
+
+// The direction that the table gives by a name instead of eye and up, if any.
+std::optional<ViewDirection> read_direction(const ShotTable& table, const ProjectionKind& kind) {
+  if (kind.form == ProjectionForm::axonometric) return read_axonometric_direction(table, kind);
+  const auto view = table.find("view");
+  if (!view) return std::nullopt;
+  for (const char* key : {"eye", "up"})
     if (const auto value = table.find(key))
-      value->fail(fmt::format("the projection \"{}\" has no {}", projection, key));
+      value->fail(fmt::format("view says where the camera stands; {} must not be given", key));
+  return view_direction(read_view(*view));
 }
 
-// Reads `key` into `number` when it is there.
-void read_number(const ShotTable& table, const char* key, double& number) {
-  if (const auto value = table.find(key)) number = value->number();
+// Places the camera; returns its distance from the target.
+double place_along(const ViewDirection& direction, const ShotTable& table, Camera& camera) {
+  const auto value = table.find("distance");
+  const double distance = value ? value->positive() : standard_distance;
+  camera.eye = camera.target + distance * direction.towards_eye;
+  camera.up = direction.up;
+  if (camera.eye == camera.target)
+    (value ? *value : table.value()).fail(fmt::format("distance is {}: too small beside the target", distance));
+  return distance;
 }
 
-// The value of `key`, else of `other`, else of the table: where an error about both is best put.
-ShotValue place_for(const ShotTable& table, const char* key, const char* other) {
-  if (const auto value = table.find(key)) return *value;
-  if (const auto value = table.find(other)) return *value;
-  return table.value();
-}
-
-void read_near_far(const ShotTable& table, bool perspective, double& near, double& far) {
-  if (const auto value = table.find("near")) near = perspective ? value->positive() : value->number();
-  if (const auto value = table.find("far")) far = perspective ? value->number_or_infinity() : value->number();
-  if (!(near < far))
-    place_for(table, "far", "near")
-        .fail(fmt::format("near is {} and far is {}; far must be greater than near", near, far));
-}
-
-template <typename SixPlanes>
-void read_window(const ShotTable& table, SixPlanes& planes) {
-  read_number(table, "left", planes.left);
-  read_number(table, "right", planes.right);
-  read_number(table, "bottom", planes.bottom);
-  read_number(table, "top", planes.top);
-  if (!(planes.left < planes.right))
-    place_for(table, "right", "left")
-        .fail(fmt::format("left is {} and right is {}; right must be greater", planes.left, planes.right));
-  if (!(planes.bottom < planes.top))
-    place_for(table, "top", "bottom")
-        .fail(fmt::format("bottom is {} and top is {}; top must be greater", planes.bottom, planes.top));
-}
-
-Projection read_perspective(const ShotTable& table) {
-  refuse_keys(table, "perspective", {"left", "right", "bottom", "top"});
-  Perspective perspective;
-  if (const auto fovy = table.find("fovy_degrees")) perspective.fovy_degrees = fovy->field_of_view();
-  read_near_far(table, true, perspective.near, perspective.far);
-  return perspective;
-}
-
-Projection read_frustum(const ShotTable& table) {
-  refuse_keys(table, "frustum", {"fovy_degrees"});
-  Frustum frustum;
-  read_window(table, frustum);
-  read_near_far(table, true, frustum.near, frustum.far);
-  return frustum;
-}
-
-Projection read_orthographic(const ShotTable& table) {
-  refuse_keys(table, "orthographic", {"fovy_degrees"});
-  Orthographic orthographic;
-  read_window(table, orthographic);
-  read_near_far(table, false, orthographic.near, orthographic.far);
-  return orthographic;
-}
-
-Projection read_projection(const ShotTable& table) {
-  const auto projection = table.find("projection");
-  const std::string name = projection ? projection->text() : "perspective";
-  if (name == "perspective") return read_perspective(table);
-  if (name == "frustum") return read_frustum(table);
-  if (name == "orthographic") return read_orthographic(table);
-  if (std::find(later_projections.begin(), later_projections.end(), name) != later_projections.end())
-    projection->fail(
-        fmt::format("projection \"{}\": not drawn by this version: perspective, frustum and orthographic are", name));
-  projection->fail(
-      fmt::format("unknown projection \"{}\"{}", name, suggestion(name, {"perspective", "frustum", "orthographic"})));
-}
-
-void read_position(const ShotTable& table, Camera& camera) {
+double place_at_eye(const ShotTable& table, Camera& camera) {
+  if (const auto distance = table.find("distance"))
+    distance->fail("distance belongs to view and to axonometric projections; here eye says where the camera stands");
   if (const auto eye = table.find("eye")) camera.eye = eye->vector();
-  if (const auto target = table.find("target")) camera.target = target->vector();
-  if (camera.eye == camera.target) place_for(table, "eye", "target").fail("eye and target are the same point");
+  if (camera.eye == camera.target)
+    (table.has("eye") ? table.need("eye") : table.need("target")).fail("eye and target are the same point");
   if (const auto up = table.find("up")) {
     camera.up = up->vector();
     if (camera.up == glm::dvec3(0.0)) up->fail("up is [0, 0, 0]; it must have a direction");
   }
+  return glm::length(camera.eye - camera.target);
 }
 
-void read_camera_track(const ShotValue& value, TrackReader& tracks, Camera& camera) {
+void read_camera_track(const ShotValue& value, bool by_direction, TrackReader& tracks, Camera& camera) {
   const ShotTable table = TrackReader::table(value);
   const ShotValue target = TrackReader::target(table);
   struct Driven {
@@ -111,19 +72,25 @@ void read_camera_track(const ShotValue& value, TrackReader& tracks, Camera& came
     Track* track;
     KeyValue kind;
   };
-  const std::array<Driven, 6> all = {{{"eye", &camera.eye_track, KeyValue::vector},
+  const std::array<Driven, 7> all = {{{"eye", &camera.eye_track, KeyValue::vector},
                                       {"target", &camera.target_track, KeyValue::vector},
                                       {"up", &camera.up_track, KeyValue::vector},
                                       {"fovy_degrees", &camera.fovy_track, KeyValue::field_of_view},
+                                      {"fovx_degrees", &camera.fovx_track, KeyValue::field_of_view},
                                       {"near", &camera.near_track, KeyValue::number},
                                       {"far", &camera.far_track, KeyValue::number}}};
   const std::string& name = target.text();
   const auto driven = std::find_if(all.begin(), all.end(), [&](const Driven& d) { return d.name == name; });
   if (driven == all.end())
     target.fail(fmt::format("a camera has no value \"{}\" to move{}", name,
-                            suggestion(name, {"eye", "target", "up", "fovy_degrees", "near", "far"})));
+                            suggestion(name, {"eye", "target", "up", "fovy_degrees", "fovx_degrees", "near", "far"})));
   if (name == "fovy_degrees" && !std::holds_alternative<Perspective>(camera.projection))
-    target.fail("only a perspective projection has fovy_degrees");
+    target.fail("only a perspective projection has fovy_degrees, and only one without fovx_degrees");
+  if (name == "fovx_degrees" && !std::holds_alternative<HorizontalPerspective>(camera.projection))
+    target.fail("only a perspective projection that has fovx_degrees can move it");
+  const bool moves_camera = name == "eye" || name == "target" || name == "up";
+  if (moves_camera && by_direction)
+    target.fail(fmt::format("{} cannot move a camera that is placed by its view; give eye, target and up", name));
   if (!driven->track->empty()) target.fail(fmt::format("{} is driven twice", name));
   const bool distance = name == "near" || name == "far";
   *driven->track = tracks.read(table, distance && !is_parallel(camera.projection) ? KeyValue::positive : driven->kind);
@@ -132,12 +99,39 @@ void read_camera_track(const ShotValue& value, TrackReader& tracks, Camera& came
 }  // namespace
 
 Camera read_camera(const ShotValue& value, TrackReader& tracks) {
-  const ShotTable table = value.table(
-      {"projection", "fovy_degrees", "left", "right", "bottom", "top", "near", "far", "eye", "target", "up", "track"});
+  const ShotTable table = value.table({"projection",
+                                       "fovy_degrees",
+                                       "fovx_degrees",
+                                       "left",
+                                       "right",
+                                       "bottom",
+                                       "top",
+                                       "fit",
+                                       "factor",
+                                       "beta_degrees",
+                                       "direction_degrees",
+                                       "ratios",
+                                       "axis_angles_degrees",
+                                       "azimuth_degrees",
+                                       "elevation_degrees",
+                                       "corner",
+                                       "near",
+                                       "far",
+                                       "eye",
+                                       "target",
+                                       "up",
+                                       "view",
+                                       "distance",
+                                       "track"});
   Camera camera;
-  camera.projection = read_projection(table);
-  read_position(table, camera);
-  table.for_each("track", [&](const ShotValue& track) { read_camera_track(track, tracks, camera); });
+  const ProjectionKind kind = read_projection_kind(table);
+  if (const auto target = table.find("target")) camera.target = target->vector();
+  const std::optional<ViewDirection> direction = read_direction(table, kind);
+  const double distance = direction ? place_along(*direction, table, camera) : place_at_eye(table, camera);
+  camera.projection = read_projection(table, kind, distance);
+  placed_at(table.value(), [&] { validate(camera.projection); });
+  table.for_each("track",
+                 [&](const ShotValue& track) { read_camera_track(track, direction.has_value(), tracks, camera); });
   return camera;
 }
 

@@ -107,8 +107,6 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"FovyStraight", "[camera]\nfovy_degrees = 180.0",
               "2:16: fovy_degrees is 180 degrees; more than 0 and less than 180 is needed"},
         Wrong{"FovyText", "[camera]\nfovy_degrees = \"wide\"", "2:16: fovy_degrees is a string; a number is needed"},
-        Wrong{"LaterProjection", "[camera]\nprojection = \"cavalier\"",
-              "2:14: projection \"cavalier\": not drawn by this version: perspective, frustum and orthographic are"},
         Wrong{"UnknownProjection", "[camera]\nprojection = \"perspectiv\"",
               "2:14: unknown projection \"perspectiv\"; did you mean \"perspective\"?"},
         Wrong{"WindowOfAPerspective", "[camera]\nleft = -1", "2:8: the projection \"perspective\" has no left"},
@@ -136,7 +134,59 @@ INSTANTIATE_TEST_SUITE_P(
               "4:13: keys is 200 degrees; more than 0 and less than 180 is needed"},
         Wrong{"FovyTrackOfAFrustum",
               "[camera]\nprojection = \"frustum\"\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 20]]",
-              "4:10: only a perspective projection has fovy_degrees"}),
+              "4:10: only a perspective projection has fovy_degrees, and only one without fovx_degrees"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Drawings, WrongShot,
+    ::testing::Values(
+        Wrong{"TwoFieldsOfView", "[camera]\nfovy_degrees = 40\nfovx_degrees = 50",
+              "3:16: fovy_degrees and fovx_degrees are both given; one says it all"},
+        Wrong{"FovxTrackWithoutFovx", "[camera]\n[[camera.track]]\ntarget = \"fovx_degrees\"\nkeys = [[0, 20]]",
+              "3:10: only a perspective projection that has fovx_degrees can move it"},
+        Wrong{"EyeOfAnIsometric", "[camera]\nprojection = \"isometric\"\neye = [1, 1, 1]",
+              "3:7: the projection \"isometric\" has no eye"},
+        Wrong{"FactorOfACabinet", "[camera]\nprojection = \"cabinet\"\nfactor = 0.5",
+              "3:10: the projection \"cabinet\" has no factor"},
+        Wrong{"ObliqueOfNoAngle", "[camera]\nprojection = \"oblique\"",
+              "1:1: an oblique projection needs a factor, or beta_degrees: 1 or 45 is cavalier, 0.5 is cabinet"},
+        Wrong{"ObliqueTwice", "[camera]\nprojection = \"oblique\"\nfactor = 1\nbeta_degrees = 45",
+              "4:16: factor and beta_degrees are both given; one says it all"},
+        Wrong{"ObliqueTooFlat", "[camera]\nprojection = \"oblique\"\nbeta_degrees = 1e-4",
+              "3:16: beta_degrees is 0.0001; it must be between 1 and 90: the closer the projectors run to the "
+              "picture's plane, the more an error of the angle moves the picture"},
+        Wrong{"ObliqueTooLong", "[camera]\nprojection = \"oblique\"\nfactor = 58",
+              "3:10: factor is 58; it must be between 0 and 57.29: beyond, the projectors run closer than 1 degree to "
+              "the picture's plane, and rounding shows"},
+        Wrong{"UnknownFit", "[camera]\nprojection = \"frustum\"\nfit = \"wide\"",
+              "3:7: unknown fit \"wide\"; did you mean \"widen\"?"},
+        Wrong{"UnknownView", "[camera]\nview = \"side\"",
+              "2:8: unknown view \"side\"; known: front, back, left, right, top, bottom"},
+        Wrong{"ViewAndEye", "[camera]\nview = \"top\"\neye = [0, 5, 0]",
+              "3:7: view says where the camera stands; eye must not be given"},
+        Wrong{"DistanceWithoutAView", "[camera]\ndistance = 5",
+              "2:12: distance belongs to view and to axonometric projections; here eye says where the camera stands"},
+        Wrong{"DistanceLost", "[camera]\nview = \"top\"\ntarget = [0, 1e20, 0]\ndistance = 1",
+              "4:12: distance is 1: too small beside the target"},
+        Wrong{"TrackOfAView", "[camera]\nview = \"top\"\n[[camera.track]]\ntarget = \"eye\"\nkeys = [[0, [1, 2, 3]]]",
+              "4:10: eye cannot move a camera that is placed by its view; give eye, target and up"},
+        Wrong{"DimetricOfThreeRatios", "[camera]\nprojection = \"dimetric\"\nratios = [1, 0.9, 0.5]",
+              "3:10: the ratios of a dimetric projection must have two equal ones; trimetric takes any"},
+        Wrong{"DimetricThatIsIsometric", "[camera]\nprojection = \"dimetric\"\nratios = [1, 1, 1]",
+              "3:10: the ratios of a dimetric projection must have a different one; isometric has three equal"},
+        Wrong{"RatiosOfNoView", "[camera]\nprojection = \"trimetric\"\nratios = [1, 0.5, 0.5]",
+              "1:1: ratios are (1, 0.5, 0.5); each must be 0 or more, and the square of none more than those of the "
+              "other two together"},
+        Wrong{"TrimetricOfNothing", "[camera]\nprojection = \"trimetric\"",
+              "1:1: a trimetric projection needs ratios, axis_angles_degrees, or azimuth_degrees and "
+              "elevation_degrees"},
+        Wrong{"TrimetricOfOneAngle", "[camera]\nprojection = \"trimetric\"\nazimuth_degrees = 30",
+              "1:1: camera needs the key \"elevation_degrees\""},
+        Wrong{
+            "AxisAnglesOfNoView", "[camera]\nprojection = \"trimetric\"\naxis_angles_degrees = [45, 45]",
+            "1:1: the axes' angles are 45 and 45 degrees; each must be 0 or more, and their sum above 0 and below 90"},
+        Wrong{"CornerOfTwos", "[camera]\nprojection = \"isometric\"\ncorner = [1, 2, 1]",
+              "3:10: corner is (1, 2, 1); each number must be 1 or -1"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
