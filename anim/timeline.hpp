@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "anim/elastic.hpp"
 #include "anim/time_base.hpp"
 #include "anim/track.hpp"
 #include "host/math/projection.hpp"
@@ -34,6 +36,7 @@ struct WeightTrack {
 struct MorphWeights {
   std::vector<double> weights;  // one a target of the object's mesh; the value where no track drives it
   std::vector<WeightTrack> tracks;
+  std::optional<Elastic> elastic = std::nullopt;  // its vertices follow the weights on springs
 };
 
 // Where a camera looks from. With node >= 0 the camera sits in that node's frame looking down its -z (glTF) and
@@ -67,7 +70,7 @@ struct Timeline {
   glm::dvec3 ambient{0.05};
 
   // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
-  // width, weights that drive no target, a camera node out of range, a constant that is not finite, a rotation of
+  // width, weights that drive no target, springs out of their limits, a camera node out of range, a constant that is not finite, a rotation of
   // length 0, a fovy or fovx track on a projection that has no such field of view.
   void validate() const;
 };

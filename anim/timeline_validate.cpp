@@ -55,6 +55,17 @@ void check_node(const Node& node, std::size_t index) {
   check_track(node.visible_track, 1, false, place, "visible");
 }
 
+void check_elastic(const Elastic& elastic, const std::string& place) {
+  const auto check = [&place](const char* name, double value, double least, double most) {
+    require(value >= least && value <= most, place,
+            fmt::format("elastic: {} is {}; it must be {} to {}", name, value, least, most));
+  };
+  check("anchor", elastic.anchor, min_elastic_anchor, max_elastic_stiffness);
+  check("stiffness", elastic.stiffness, 0, max_elastic_stiffness);
+  check("damping", elastic.damping, 0, max_elastic_damping);
+  check("edge_damping", elastic.edge_damping, 0, max_elastic_edge_damping);
+}
+
 void check_weights(const MorphWeights& morph, std::size_t index) {
   const std::string place = fmt::format("weights[{}]", index);
   const std::size_t targets = morph.weights.size();
@@ -71,6 +82,7 @@ void check_weights(const MorphWeights& morph, std::size_t index) {
                         width, first, targets));
     require(!driven.track.is_rotation(), place, "a weight track must not be a rotation track");
   }
+  if (morph.elastic) check_elastic(*morph.elastic, place);
 }
 
 void check_camera(const Camera& camera, std::size_t nodes) {

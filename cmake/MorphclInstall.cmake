@@ -13,6 +13,7 @@ set(MORPHCL_PACKAGE_OpenEXR::OpenEXR "find_dependency(OpenEXR)")
 set(MORPHCL_PACKAGE_PNG::PNG "find_dependency(PNG)")
 set(MORPHCL_PACKAGE_fmt::fmt "find_dependency(fmt)")
 set(MORPHCL_PACKAGE_nlohmann_json::nlohmann_json "private")
+set(MORPHCL_PACKAGE_Eigen3::Eigen "private")
 set(MORPHCL_PACKAGE_tomlplusplus::tomlplusplus "find_dependency(tomlplusplus)")
 set(MORPHCL_PACKAGE_PkgConfig::xxhash
     "find_dependency(PkgConfig)\npkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)")

@@ -126,14 +126,18 @@ Light key_light() {
 
 FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& warnings) {
   std::int64_t last_tick = 0;
-  const auto include_track = [&](const Track& track) {
-    if (!track.empty()) last_tick = std::max(last_tick, track.end_tick());
+  const auto include_track = [&](const Track& track, std::int64_t ticks_after = 0) {
+    if (!track.empty()) last_tick = std::max(last_tick, track.end_tick() + ticks_after);
   };
   for (const Node& node : timeline.nodes)
     for (const Track* track : {&node.translation_track, &node.rotation_track, &node.scale_track, &node.visible_track})
       include_track(*track);
-  for (const MorphWeights& weights : timeline.weights)
-    for (const WeightTrack& track : weights.tracks) include_track(track.track);
+  for (const MorphWeights& weights : timeline.weights) {
+    // An elastic object goes on until its slowest springs have settled.
+    const double swinging = weights.elastic ? settling_seconds(anchor_spring(*weights.elastic)) : 0;
+    for (const WeightTrack& track : weights.tracks)
+      include_track(track.track, timeline.time.seconds_to_ticks(swinging));
+  }
   const Camera& camera = timeline.camera;
   for (const Track* track : {&camera.eye_track, &camera.target_track, &camera.up_track, &camera.fovy_track,
                              &camera.fovx_track, &camera.near_track, &camera.far_track})
