@@ -15,6 +15,7 @@
 #include "layout.h"
 #include "vector.h"
 #include "raster.h"
+#include "depth_format.h"
 
 typedef struct {
   PagedBins fragments, entries;
@@ -24,6 +25,7 @@ typedef struct {
   global LargeTriangle* large;
   uint large_count, large_capacity;
   int width, height, tiles_x;
+  constant const FrameConstants* frame;
 } Bins;
 
 static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, uint id) {
@@ -35,17 +37,6 @@ static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, uint 
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-// Corner a becomes the one of least depth; the turn keeps the orientation.
-static inline void turn_farthest_first(int4* a, int4* b, int4* c) {
-  const float depth_a = as_float((*a).z), depth_b = as_float((*b).z), depth_c = as_float((*c).z);
-  const int4 first = *a, second = *b, third = *c;
-  if (depth_b < depth_a && depth_b <= depth_c) {
-    *a = second, *b = third, *c = first;
-  } else if (depth_c < depth_a && depth_c < depth_b) {
-    *a = third, *b = first, *c = second;
-  }
-}
-
 static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided) {
   long area = (long)(b.x - a.x) * (c.y - a.y) - (long)(c.x - a.x) * (b.y - a.y);
   if (area == 0 || (area < 0 && !double_sided)) return;
@@ -53,7 +44,7 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
     const int4 swapped = b;
     b = c, c = swapped, area = -area;
   }
-  turn_farthest_first(&a, &b, &c);
+  turn_for_depth(&a, &b, &c);
   const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0), first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
   const int last_x = min(LAST_PIXEL(max(a.x, max(b.x, c.x))), bins->width - 1);
   const int last_y = min(LAST_PIXEL(max(a.y, max(b.y, c.y))), bins->height - 1);
@@ -63,13 +54,7 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   t.ax = a.x, t.ay = a.y;
   t.d1x = b.x - a.x, t.d1y = b.y - a.y, t.d2x = c.x - a.x, t.d2y = c.y - a.y;
   t.id = id;
-  t.depth = as_float(a.z);
-  t.depth1 = as_float(b.z) - t.depth;
-  t.depth2 = as_float(c.z) - t.depth;
-  t.inverse_area = 1.0f / (float)area;
-  t.depth_dx = fma((float)t.d2y, t.depth1, -((float)t.d1y * t.depth2)) * t.inverse_area * (float)SUBPIXELS;
-  t.depth_dy = fma((float)t.d1x, t.depth2, -((float)t.d2x * t.depth1)) * t.inverse_area * (float)SUBPIXELS;
-  FOR_THREE(i) t.pad[i] = 0;
+  set_depth_plane(&t, a, b, c, area, bins->frame);
   const uint number = bins->large_count++;
   if (number >= bins->large_capacity) return;
   bins->large[number] = t;
@@ -112,13 +97,14 @@ static inline void bin_line(Bins* bins, int4 a, int4 b, uint id) {
   if (run == 0) return;
   const int limit = steep ? bins->height : bins->width, across_limit = steep ? bins->width : bins->height;
   const int first = max(FIRST_PIXEL(start), 0), last = min(LAST_PIXEL(stop - 1), limit - 1);
-  const float depth = as_float(a.z), depth_change = as_float(b.z) - depth;
+  const LineDepth depth = line_depth(a, b, bins->frame);
   for (int along = first; along <= last; along++) {
     const long offset = along * SUBPIXELS + HALF_PIXEL - start;
     const long other = floor_divide(across * run + rise * offset, run * SUBPIXELS);
     if (other < 0 || other >= across_limit) continue;
-    const float at = fma((float)offset / (float)run, depth_change, depth);
-    add_fragment(bins, steep ? (int)other : along, steep ? along : (int)other, as_uint(at), id);
+    uint depth_bits;
+    if (!depth_on_line(&depth, offset, run, &depth_bits)) continue;
+    add_fragment(bins, steep ? (int)other : along, steep ? along : (int)other, depth_bits, id);
   }
 }
 
@@ -143,28 +129,22 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
   int16 row1 = edge_values(d3x, d3y, t.x[1], t.y[1], px, py);
   int16 row2 = edge_values(-d2x, -d2y, t.x[2], t.y[2], px, py);
 
-  const float16 depth0 = as_float16(t.depth[0]);
-  const float16 depth1 = as_float16(t.depth[1]) - depth0, depth2 = as_float16(t.depth[2]) - depth0;
-  const float16 inverse_area = 1.0f / convert_float16(area);
   const int16 dx = px - t.x[0], dy = py - t.y[0];
-  const float16 part1 = convert_float16(dx * d2y - dy * d2x) * inverse_area;
-  const float16 part2 = convert_float16(dy * d1x - dx * d1y) * inverse_area;
-  const float16 origin_depth = fma(part1, depth1, fma(part2, depth2, depth0));
-  const float16 depth_dx = fma(convert_float16(d2y), depth1, -(convert_float16(d1y) * depth2)) * inverse_area * (float)SUBPIXELS;
-  const float16 depth_dy = fma(convert_float16(d1x), depth2, -(convert_float16(d2x) * depth1)) * inverse_area * (float)SUBPIXELS;
+  const SmallPlanes planes =
+      small_planes(t.depth, area, dx * d2y - dy * d2x, dy * d1x - dx * d1y, d1x, d1y, d2x, d2y, bins->frame);
 
   const int16 columns = last_x - first_x, rows = last_y - first_y;
   for (int j = 0; j < SMALL_PIXELS; j++) {
     if (!any_lane(active & (rows >= j))) break;
     const int16 row_active = active & (rows >= j) & (first_y >= -j);  // rows above the image come first and draw nothing
-    const float16 row_depth = fma(depth_dy, (float16)((float)j), origin_depth);
+    const SmallRow row = small_row(&planes, j);
     int16 value0 = row0, value1 = row1, value2 = row2;
     for (int i = 0; i < SMALL_PIXELS; i++) {
       const int16 in_box = row_active & (columns >= i);
-      const int16 covered = in_box & (first_x >= -i) & ((value0 | value1 | value2) >= 0);
-      const ulong2 lanes = mask_bytes(covered);
-      if (lanes.x | lanes.y) {
-        const float16 depth = fma(depth_dx, (float16)((float)i), row_depth);
+      int16 covered = in_box & (first_x >= -i) & ((value0 | value1 | value2) >= 0);
+      if (any_lane(covered)) {
+        const Depths depth = small_depths(&planes, row, i, &covered);
+        const ulong2 lanes = mask_bytes(covered);
         const int16 x = first_x + i, y = first_y + j;
         uint depth_bits[LANES];
         int tile[LANES], place[LANES];
@@ -284,6 +264,7 @@ COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict
   bins.large_count = 0;
   bins.large_capacity = frame->large_capacity;
   bins.width = frame->width, bins.height = frame->height, bins.tiles_x = frame->tiles_x;
+  bins.frame = frame;
   for (uint tile = 0; tile < tiles; tile++) bins.fragments.heads[tile] = 0, bins.entries.heads[tile] = 0;
 
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);

@@ -14,6 +14,7 @@
 #include "layout.h"
 #include "vector.h"
 #include "vertex.h"
+#include "depth_format.h"
 
 typedef struct {
   float x, y, z, w;
@@ -170,7 +171,8 @@ COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restric
         const float inverse_w = 1.0f / c.w;
         const int x = snap((float16)(c.x), (float16)(c.w), frame->scale_x, frame->offset_x).s0;
         const int y = snap((float16)(c.y), (float16)(c.w), frame->scale_y, frame->offset_y).s0;
-        vertices[frame->first_clip_vertex + slot * CLIP_VERTICES + i] = (int4)(x, y, as_int(c.z * inverse_w), as_int(inverse_w));
+        const float depth = vertex_depth((float16)(c.z), (float16)(c.w), (float16)(inverse_w), frame).s0;
+        vertices[frame->first_clip_vertex + slot * CLIP_VERTICES + i] = (int4)(x, y, as_int(depth), as_int(inverse_w));
         clip_weights[slot * CLIP_VERTICES + i] = (float4)(c.weight[0], c.weight[1], c.weight[2], 0.0f);
       }
       slot++;

@@ -25,6 +25,16 @@
 #define BACKGROUND_DEPTH 1e10f
 #define LARGEST_CLIP 1e33f    // clip coordinates beyond this are invalid: guard factor times w must not overflow
 
+// Depth buffers, as in host/math/depth_format.hpp. A program is compiled for one of them.
+#define DEPTH_REVERSED_FLOAT 0
+#define DEPTH_FLOAT 1
+#define DEPTH_FIXED_16 2
+#define DEPTH_FIXED_24 3
+#define DEPTH_FIXED_32 4
+#ifndef DEPTH_FORMAT
+#define DEPTH_FORMAT DEPTH_REVERSED_FLOAT
+#endif
+
 // Outcode bits: outside the near plane or a side of the guard band, or not finite.
 #define OUT_NEAR 1
 #define OUT_LEFT 2
@@ -86,6 +96,8 @@ typedef struct {
   float near_w, near_depth;                    // w and depth = z / w on the near plane
   float far_depth;                             // smaller depths are not drawn
   float near;                                  // perspective: distance = near / depth; parallel: -depth
+  // Of forward depth buffers: the depth of the far plane and the factor of closeness, each as two floats; 1 / factor.
+  float depth_far[2], depth_scale[2], depth_span;
   float ray[4];                                // eye position of a pixel: FramePlan::ray and slant
   float slant[2];
   int width, height;
@@ -112,18 +124,31 @@ typedef struct {
   uint clipped, fragment_pages, entry_pages, large;
 } ChunkStatus;
 
-// A triangle that is rasterised in the tiles. Corner a is the farthest, so depth grows from it without cancellation.
+// How depth runs over a triangle a b c: kernels/reversed_depth.h and kernels/forward_depth.h.
+#if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
 typedef struct {
-  int ax, ay;        // sub-pixels
-  int d1x, d1y;      // b - a
-  int d2x, d2y;      // c - a
-  uint id;
-  float depth;       // at a
+  float depth;       // at a, the farthest corner
   float depth1;      // at b minus at a
   float depth2;      // at c minus at a
   float inverse_area;
   float depth_dx, depth_dy;  // per pixel
   uint pad[3];
+} DepthPlane;
+#else
+typedef struct {
+  float a[2], b[2], c[2];  // closeness of the corners over the doubled area, each as two floats
+  uint least, greatest;    // of the corners' keys
+  uint in_range;           // no part is beyond the far plane
+} DepthPlane;
+#endif
+
+// A triangle that is rasterised in the tiles.
+typedef struct {
+  int ax, ay;        // sub-pixels
+  int d1x, d1y;      // b - a
+  int d2x, d2y;      // c - a
+  uint id;
+  DepthPlane plane;
 } LargeTriangle;
 
 #endif

@@ -2,7 +2,7 @@
 //
 // In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, the draw of each vertex group,
 //      the numbers of the chunks that changed since the frame before.
-// Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth, bits of 1/w}; {OUTSIDE, outcode, 0, 0} where clipping is due
+// Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w}; {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
 //      colors[i]     float4: vertex colour after its deltas, clamped to [0, 1]
 //      status[chunk] nonzero when a vertex of the chunk needs clipping
@@ -15,6 +15,7 @@
 #include "layout.h"
 #include "vector.h"
 #include "vertex.h"
+#include "depth_format.h"
 
 // Unit length; a normal that morphing cancelled (shorter than 2^-10) is replaced by the fallback.
 static inline void normalize_or(float16* x, float16* y, float16* z, float16 fallback_x, float16 fallback_y, float16 fallback_z) {
@@ -82,12 +83,12 @@ COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* rest
       screen.x = snap(clip_x, w, frame->scale_x, frame->offset_x);
       screen.y = snap(clip_y, w, frame->scale_y, frame->offset_y);
       screen.inverse_w = 1.0f / w;
-      screen.depth = clip_z * screen.inverse_w;
+      screen.depth = vertex_depth(clip_z, w, screen.inverse_w, frame);
     } else {
       screen.x = snap_undivided(clip_x, frame->scale_x, frame->offset_x);
       screen.y = snap_undivided(clip_y, frame->scale_y, frame->offset_y);
       screen.inverse_w = 1.0f;
-      screen.depth = clip_z;
+      screen.depth = vertex_depth(clip_z, (float16)1.0f, (float16)1.0f, frame);
     }
     store_records(select(screen.x, (int16)OUTSIDE, outside), select(screen.y, code, outside), as_int16(screen.depth),
                   as_int16(screen.inverse_w), vertices + record);

@@ -1,4 +1,4 @@
-// Exact coverage and depth of triangles on the sub-pixel grid, shared by binning, tiles and shading.
+// Exact coverage of triangles on the sub-pixel grid, shared by binning, tiles and shading.
 //
 // y grows downwards; a triangle is turned so that its doubled area is positive. A pixel is covered when its centre is
 // inside every edge or on a top or left edge, decided in integers: a shared edge is hit exactly once.
@@ -42,14 +42,6 @@ static inline uint head_before(global const uint* next, uint head) {
 static inline long edge_value(int dx, int dy, int vx, int vy, int px, int py) {
   const int owns_edge = dy < 0 || (dy == 0 && dx > 0);
   return (long)dx * (py - vy) - (long)dy * (px - vx) - (owns_edge ? 0 : 1);
-}
-
-// Depth at a pixel centre, from the exact doubled areas of the parts: depth + depth1 * s1 / area + depth2 * s2 / area.
-static inline float large_depth_at(LargeTriangle t, int px, int py) {
-  const long dx = px - t.ax, dy = py - t.ay;
-  const float part1 = (float)(dx * t.d2y - dy * t.d2x) * t.inverse_area;
-  const float part2 = (float)(dy * t.d1x - dx * t.d1y) * t.inverse_area;
-  return fma(part1, t.depth1, fma(part2, t.depth2, t.depth));
 }
 
 #endif

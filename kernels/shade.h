@@ -21,7 +21,7 @@ typedef struct {
 
 typedef struct {
   int x, y;  // of the first pixel
-  float16 depth;
+  Depths depth;
 } Pixels;
 
 // What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
@@ -30,6 +30,9 @@ typedef struct {
   Irradiance color;       // base colour times the face's light
   int16 x[3], y[3];       // corners on the screen, sub-pixels
   float16 inverse_w[3];
+#ifdef FORWARD_DEPTH
+  float16 distance[3];    // of the corners
+#endif
   EyeVector normal[3];    // at the mesh's vertices; smooth draws
   Irradiance tint[3];     // vertex colours
   bool any_cut;           // some lane's corners are those that clipping left;
@@ -41,6 +44,9 @@ typedef struct {
 // orientation on the screen.
 typedef struct {
   float16 vertex[3];
+#ifdef FORWARD_DEPTH
+  float16 distance;  // along the view axis, interpolated like an attribute: the buffer may be too coarse for lighting
+#endif
 } Weights;
 
 ALWAYS_INLINE float16 eye_distance(constant const FrameConstants* frame, float16 depth) {
@@ -115,8 +121,11 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
           first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> 3) - first_number)];
   gather_cuts(s, id, same, corner, surface);
   FOR_THREE(i) {
-    fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &unused, &f0);
+    fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
     surface->inverse_w[i] = as_float16(f0);
+#ifdef FORWARD_DEPTH
+    surface->distance[i] = as_float16(f1);
+#endif
   }
   if (draw->flags & DRAW_SMOOTH)
     FOR_THREE(i) {
@@ -146,6 +155,9 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
   if (!s->frame->parallel)
     FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
+#ifdef FORWARD_DEPTH
+  w.distance = weighted(w, surface->distance[0], surface->distance[1], surface->distance[2]) / (w.vertex[0] + w.vertex[1] + w.vertex[2]);
+#endif
   if (surface->any_cut) {
     const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
     const float16 b = weighted(w, surface->cut[0][1], surface->cut[1][1], surface->cut[2][1]);
@@ -171,7 +183,11 @@ ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, P
   normal.z = select(normal.z, -normal.z, negative);
   position.x = position.y = position.z = 0.0f;
   if (!s->frame->has_point_lights) return irradiance(s->frame, s->lights, normal, position);
+#ifdef FORWARD_DEPTH
+  const float16 distance = w.distance;
+#else
   const float16 distance = eye_distance(s->frame, p.depth);
+#endif
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
   position.x = fma(x, (float16)(s->frame->ray[0]), (float16)(s->frame->ray[1]));
   position.y = fma(y, (float16)(s->frame->ray[2]), (float16)(s->frame->ray[3]));

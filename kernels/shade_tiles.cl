@@ -14,6 +14,7 @@
 #include "layout.h"
 #include "vector.h"
 #include "raster.h"
+#include "depth_format.h"
 #include "tile.h"
 #include "light.h"
 #include "shade.h"
@@ -66,7 +67,7 @@ ALWAYS_INLINE void store_colors(RowColor left, RowColor right, Picture picture, 
 typedef struct {
   uint content;
   global const LargeTriangle* triangle;  // a block of one triangle
-  float corner;                          // its depth at the tile's first pixel
+  TileDepth corner;                      // its depth at the tile's first pixel
   uint surface_id;                       // NO_ID: the surface is still to be gathered
   Surface surface;
 } Column;
@@ -75,7 +76,7 @@ ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global c
   column->content = content;
   if (content == CLEAR || content == PER_PIXEL) return;
   column->triangle = &large[content];
-  column->corner = tile_depth(column->triangle, tile);
+  column->corner = depth_of_tile(column->triangle, tile.x, tile.y);
 }
 
 ALWAYS_INLINE Irradiance color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
@@ -101,15 +102,15 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
       const int16 background = ids == NO_ID;
       if (s->frame->writes_color) color = mixed_color(s, p, ids);
       alpha = select((float16)1.0f, (float16)0.0f, background);
-      distance = select(eye_distance(s->frame, p.depth), (float16)BACKGROUND_DEPTH, background);
+      distance = select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
     } else if (first_id != NO_ID) {
       if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
-      alpha = 1.0f, distance = eye_distance(s->frame, p.depth);
+      alpha = 1.0f, distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
     }
   } else if (column->content != CLEAR) {
     p.depth = depths_in_row(column->triangle, column->corner, first, row);
     if (s->frame->writes_color) color = color_of_primitive(s, column, column->triangle->id, p);
-    alpha = 1.0f, distance = eye_distance(s->frame, p.depth);
+    alpha = 1.0f, distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
   }
   if (s->frame->writes_depth)
     STORE_PAST_CACHE(distance, (global float16*)(picture.distance + (size_t)p.y * s->frame->row_pitch + p.x));
@@ -129,7 +130,7 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
                               global const LargeTriangle* restrict large, global const uint* restrict overflow,
                               global half* restrict red, global half* restrict green, global half* restrict blue,
                               global half* restrict alpha, global float* restrict distance,
-                              global uint* restrict blank_blocks, local float16* tile_depths, local uint16* tile_ids) {
+                              global uint* restrict blank_blocks, local Depths* tile_depths, local uint16* tile_ids) {
   if (*overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
   const uint number = (place * frame->tile_step) % tiles;
@@ -140,14 +141,14 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
   // ---- 1, 2
   Blocks blocks;
   blocks.content = CLEAR;
-  blocks.least = blocks.greatest = frame->far_depth;
+  blocks.least = blocks.greatest = background_depth(frame);
   bool any_fragment = false, any_entry = false;
   for (uint chunk = 0; chunk < chunks; chunk++) {
     any_fragment |= fragment_heads[(size_t)chunk * tiles + number] != 0;
     any_entry |= entry_heads[(size_t)chunk * tiles + number] != 0;
   }
   if (any_fragment) {
-    for (int i = 0; i < TILE * ROW_VECTORS; i++) tile.depth[i] = frame->far_depth, tile.id[i] = NO_ID;
+    for (int i = 0; i < TILE * ROW_VECTORS; i++) tile.depth[i] = background_depth(frame), tile.id[i] = NO_ID;
     for (uint chunk = 0; chunk < chunks; chunk++) {
       const size_t first_page = (size_t)chunk * frame->fragment_pages;
       const Fragments fragments = {fragment_keys + first_page * PAGE, fragment_places + first_page * PAGE, fragment_next + first_page};
@@ -168,9 +169,9 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
       for (uint head = entry_heads[(size_t)chunk * tiles + number]; head; head = head_before(next, head))
         for (uint i = (head - 1) / PAGE * PAGE; i < head; i++)
           if (frame->tests_depth)
-            merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
+            merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], background_depth(frame));
           else
-            place_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], frame->far_depth);
+            place_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], background_depth(frame));
     }
 
   // ---- 4
@@ -220,7 +221,7 @@ kernel void shade_tiles(constant const FrameConstants* frame, global const DrawC
                         global const uint* entry_triangles, global const LargeTriangle* large,
                         global const uint* overflow, global half* red, global half* green, global half* blue,
                         global half* alpha, global float* distance, global uint* blank_blocks,
-                        local float16* tile_depths, local uint16* tile_ids) {
+                        local Depths* tile_depths, local uint16* tile_ids) {
   shade_tile((uint)get_global_id(0), frame, draws, block_draw, indices, lights, vertices, attributes, colors,
              face_color, clip_source, clip_weights, status, fragment_heads, fragment_next, fragment_keys,
              fragment_places, entry_heads, entry_next, entry_triangles, large, overflow, red, green, blue, alpha,

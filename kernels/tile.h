@@ -13,7 +13,7 @@
 // Samples of the tile, 16 of a row in a vector: rows of ROW_VECTORS vectors.
 #define ROW_VECTORS (TILE / LANES)
 typedef struct {
-  local float16* depth;
+  local Depths* depth;
   local uint16* id;
   int x, y;  // first pixel
 } Tile;
@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
   uint16 content;        // CLEAR, PER_PIXEL or the index of a large triangle
-  float16 least, greatest;  // depths in the block
+  Depths least, greatest;  // depths in the block
 } Blocks;
 
 // ---- fragments ------------------------------------------------------------------------------------------------------
@@ -36,15 +36,15 @@ typedef struct {
 } Fragments;
 
 static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
-  local float* depths = (local float*)tile.depth;
+  local Depth* depths = (local Depth*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
     for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
       const ulong key = fragments.keys[i];
-      const float depth = as_float((uint)(key >> 32));
+      const Depth depth = depth_from_bits((uint)(key >> 32));
       const uint id = (uint)key;
       const int place = fragments.places[i];
-      const float held = depths[place];
+      const Depth held = depths[place];
       if (depth > held || (depth == held && id < ids[place])) depths[place] = depth, ids[place] = id;
     }
     head = head_before(fragments.next, head);
@@ -52,13 +52,13 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
 }
 
 static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
-  local float* depths = (local float*)tile.depth;
+  local Depth* depths = (local Depth*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
     for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
       const ulong key = fragments.keys[i];
       const int place = fragments.places[i];
-      depths[place] = as_float((uint)(key >> 32)), ids[place] = (uint)key;
+      depths[place] = depth_from_bits((uint)(key >> 32)), ids[place] = (uint)key;
     }
     head = head_before(fragments.next, head);
   }
@@ -66,18 +66,18 @@ static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
 
 // What the tile's planes hold, block by block.
 static inline void survey_blocks(Tile tile, Blocks* blocks) {
-  float least_of[LANES], greatest_of[LANES];
+  Depth least_of[LANES], greatest_of[LANES];
   uint content[LANES];
   for (int block = 0; block < LANES; block++) {
-    float16 low = INFINITY, high = -INFINITY;
+    Depths low = NEAREST_DEPTH, high = FARTHEST_DEPTH;
     uint16 lowest_id = NO_ID;
     for (int y = 0; y < TILE_BLOCK; y++) {
       const int at = ((block >> 2) * TILE_BLOCK + y) * ROW_VECTORS + (block & 3);
-      const float16 held = tile.depth[at];
+      const Depths held = tile.depth[at];
       low = min(low, held), high = max(high, held);
       lowest_id = min(lowest_id, tile.id[at]);
     }
-    least_of[block] = least(low), greatest_of[block] = greatest(high);
+    least_of[block] = least_depth(low), greatest_of[block] = greatest_depth(high);
     content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
   }
   blocks->least = vload16(0, least_of), blocks->greatest = vload16(0, greatest_of);
@@ -86,26 +86,16 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-// Depth of a large triangle in this tile is fma(depth_dx, column, fma(depth_dy, row, corner)), column and row counted from
-// the tile's first pixel: rounding is monotone, so the extremes in a rectangle lie at its corners.
-static inline float tile_depth(global const LargeTriangle* t, Tile tile) {
-  return large_depth_at(*t, tile.x * SUBPIXELS + HALF_PIXEL, tile.y * SUBPIXELS + HALF_PIXEL);
-}
-
-static inline float16 depths_in_row(global const LargeTriangle* t, float corner, int column, int row) {
-  return fma((float16)(t->depth_dx), convert_float16(LANE + column), (float16)(fma(t->depth_dy, (float)row, corner)));
-}
-
-static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large, float far_depth) {
+static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large, Depth background) {
   if (content == CLEAR) {
     for (int y = row; y < row + TILE_BLOCK; y++) {
-      tile.depth[y * ROW_VECTORS + column / LANES] = far_depth;
+      tile.depth[y * ROW_VECTORS + column / LANES] = background;
       tile.id[y * ROW_VECTORS + column / LANES] = NO_ID;
     }
     return;
   }
   global const LargeTriangle* t = &large[content];
-  const float corner = tile_depth(t, tile);
+  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
   for (int y = row; y < row + TILE_BLOCK; y++) {
     tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_row(t, corner, column, y);
     tile.id[y * ROW_VECTORS + column / LANES] = t->id;
@@ -151,75 +141,78 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
   }
 }
 
+typedef struct {
+  Depth least, greatest;
+} HeldDepths;
+
 // Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is held
 // or, without a depth test, all that it covers. Returns the least and the greatest depth held there then.
-static inline float2 draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, float corner, int column, int first,
-                                  int last, bool tests_depth) {
+static inline HeldDepths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
+                                      int first, int last, bool tests_depth) {
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
   const uint id = t->id;
-  float16 least_held = INFINITY, greatest_held = -INFINITY;
+  Depths least_held = NEAREST_DEPTH, greatest_held = FARTHEST_DEPTH;
   for (int y = first; y <= last; y++) {
     const int at = y * ROW_VECTORS + column / LANES;
-    const float16 depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
+    const Depths depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
     const uint16 held_id = tile.id[at];
-    int16 wins = (value[0] | value[1] | value[2]) >= 0;
+    int16 wins = ((value[0] | value[1] | value[2]) >= 0) & in_range(t, corner, column, y);
     if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
-    const float16 kept = select(held, depth, wins);
+    const Depths kept = select(held, depth, wins);
     tile.depth[at] = kept;
     tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
     least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
-  return (float2)(least(least_held), greatest(greatest_held));
+  HeldDepths depths;
+  depths.least = least_depth(least_held), depths.greatest = greatest_depth(greatest_held);
+  return depths;
 }
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
-                                  global const LargeTriangle* t, TileBox box, float corner, float far_depth, bool tests_depth) {
+                                  global const LargeTriangle* t, TileBox box, TileDepth corner, Depth background,
+                                  bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
     const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
-    if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, far_depth);
+    if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, background);
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;
-    const float2 depths = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
+    const HeldDepths depths = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
     // Rows that were left out may hold less than these.
-    const float least_depth = last - first == TILE_BLOCK - 1 ? depths.x : -INFINITY;
-    blocks->least = max(blocks->least, select((float16)(-INFINITY), (float16)(least_depth), LANE == block));
-    blocks->greatest = max(blocks->greatest, select((float16)(-INFINITY), (float16)(depths.y), LANE == block));
+    const Depth least_held = last - first == TILE_BLOCK - 1 ? depths.least : FARTHEST_DEPTH;
+    blocks->least = max(blocks->least, select((Depths)(FARTHEST_DEPTH), (Depths)(least_held), LANE == block));
+    blocks->greatest = max(blocks->greatest, select((Depths)(FARTHEST_DEPTH), (Depths)(depths.greatest), LANE == block));
   }
   blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
 
-static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
+static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
   global const LargeTriangle* t = &large[number];
-  const float corner = tile_depth(t, tile), depth_dx = t->depth_dx, depth_dy = t->depth_dy;
+  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
   // The part of each block that lies in the triangle's box, and the depths at its corners.
   const TileBox box = box_of(t, tile);
   const int16 left = max(BLOCK_X, (int16)(box.first_column)), right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
   const int16 top = max(BLOCK_Y, (int16)(box.first_row)), bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
-  const int16 falls_x = depth_dx < 0.0f ? (int16)(-1) : (int16)(0), falls_y = depth_dy < 0.0f ? (int16)(-1) : (int16)(0);
-  const float16 farthest_x = convert_float16(select(left, right, falls_x)), nearest_x = convert_float16(select(right, left, falls_x));
-  const float16 farthest_y = convert_float16(select(top, bottom, falls_y)), nearest_y = convert_float16(select(bottom, top, falls_y));
-  const float16 least_depth = fma((float16)(depth_dx), farthest_x, fma((float16)(depth_dy), farthest_y, (float16)(corner)));
-  const float16 greatest_depth = fma((float16)(depth_dx), nearest_x, fma((float16)(depth_dy), nearest_y, (float16)(corner)));
-  int16 misses = (left > right) | (top > bottom) | (greatest_depth < blocks->least), covers = -1;
+  const DepthBounds depth = depth_bounds(t, corner, left, right, top, bottom);
+  int16 misses = (left > right) | (top > bottom) | (depth.greatest < blocks->least), covers = is_in_range(t) ? -1 : 0;
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
     FOR_THREE(e) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
   else
     find_covered_blocks(t, tile, &edges, &misses, &covers);
-  const int16 replaces = covers & ~misses & (least_depth > blocks->greatest);
+  const int16 replaces = covers & ~misses & (depth.least > blocks->greatest);
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(replaces));
-  blocks->least = select(blocks->least, least_depth, replaces);
-  blocks->greatest = select(blocks->greatest, greatest_depth, replaces);
+  blocks->least = select(blocks->least, depth.least, replaces);
+  blocks->greatest = select(blocks->greatest, depth.greatest, replaces);
   const int16 partly = ~misses & ~replaces;
-  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, far_depth, true);
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, background, true);
 }
 
-static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, float far_depth) {
+static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
   if (entry & ENTIRE_TILE) {
     blocks->content = number;
@@ -231,7 +224,8 @@ static inline void place_large_triangle(Tile tile, Blocks* blocks, global const 
   find_covered_blocks(t, tile, &edges, &misses, &covers);
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(covers));
   const int16 partly = ~misses & ~covers;
-  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), tile_depth(t, tile), far_depth, false);
+  if (any_lane(partly))
+    draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), depth_of_tile(t, tile.x, tile.y), background, false);
 }
 
 #endif

@@ -69,8 +69,9 @@ struct Session::Impl {
   SelfTestResult self_test;
 
   std::mutex programs_mutex;
-  std::map<std::pair<std::string, std::string>, cl::Program> programs;  // by stage and kernel
-  std::map<std::string, SourceProgram> source_programs;                 // by stage
+  using ProgramKey = std::pair<std::string, std::string>;              // stage, all build options
+  std::map<std::pair<ProgramKey, std::string>, cl::Program> programs;  // by kernel as well
+  std::map<ProgramKey, SourceProgram> source_programs;
 
   void open(const FoundDevice& chosen, const SessionOptions& options) {
     info = chosen.info;
@@ -88,24 +89,25 @@ struct Session::Impl {
 
   // The program to take this kernel from. A cached binary counts only for the kernels that had run when it was made
   // (see ProgramCache); all others come from one program built from source.
-  cl::Program program(const std::string& stage, const std::string& kernel) {
+  cl::Program program(const std::string& stage, const std::string& kernel, const std::string& more_options = "") {
     const std::lock_guard lock(programs_mutex);
-    cl::Program& program = programs[{stage, kernel}];
+    const ProgramKey key{stage, build_options + more_options};
+    cl::Program& program = programs[{key, kernel}];
     if (program()) return program;
     const std::string source = source_of(stage);
-    if (auto cached = cache->load(context, source, build_options, kernel)) return program = *cached;
-    SourceProgram& built = source_programs[stage];
-    if (!built.program()) built.program = build_from_source(context, stage, source, build_options);
+    if (auto cached = cache->load(context, source, key.second, kernel)) return program = *cached;
+    SourceProgram& built = source_programs[key];
+    if (!built.program()) built.program = build_from_source(context, stage, source, key.second);
     built.unstored.insert(kernel);
     return program = built.program;
   }
 
   // Each kernel once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
   // which takes PoCL as long as compiling did.
-  std::map<std::string, SourceProgram> take_unstored() {
+  std::map<ProgramKey, SourceProgram> take_unstored() {
     const std::lock_guard lock(programs_mutex);
-    const std::map<std::string, SourceProgram> taken = source_programs;
-    for (auto& [stage, built] : source_programs) built.unstored.clear();
+    const std::map<ProgramKey, SourceProgram> taken = source_programs;
+    for (auto& [key, built] : source_programs) built.unstored.clear();
     return taken;
   }
 
@@ -140,15 +142,15 @@ const std::string& Session::verdict_detail() const { return impl_->self_test.det
 const cl::Context& Session::context() const { return impl_->context; }
 const cl::CommandQueue& Session::queue() const { return impl_->queue; }
 
-cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_name) {
+cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_name, const std::string& more_options) {
   return checked(fmt::format("kernel {} of kernels/{}.cl", kernel_name, stage),
-                 [&] { return cl::Kernel(impl_->program(stage, kernel_name), kernel_name.c_str()); });
+                 [&] { return cl::Kernel(impl_->program(stage, kernel_name, more_options), kernel_name.c_str()); });
 }
 
 void Session::store_programs() {
   try {
-    for (const auto& [stage, built] : impl_->take_unstored())
-      impl_->cache->store(built.program, impl_->source_of(stage), impl_->build_options, built.unstored);
+    for (const auto& [key, built] : impl_->take_unstored())
+      impl_->cache->store(built.program, impl_->source_of(key.first), key.second, built.unstored);
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }

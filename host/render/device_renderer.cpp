@@ -1,5 +1,7 @@
 #include "host/render/device_renderer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,6 +20,11 @@ namespace morphcl {
 namespace {
 
 using layout::uint;
+
+// Kernels are compiled for one depth buffer; those for the default one know nothing of the others.
+std::string depth_options(DepthFormat format) {
+  return format == DepthFormat::reversed_float ? "" : fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
+}
 
 // Room of one chunk's bins. It starts from a guess and grows to what a frame was found to need.
 struct Pools {
@@ -48,6 +55,7 @@ class DeviceRenderer : public Renderer {
     if (frame.width() != plan.width || frame.height() != plan.height || frame.has_color() != plan.color ||
         frame.has_depth() != plan.depth)
       throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
+    depth_format_ = plan.depth_buffer.format;
     if (meshes_.require(plan)) kept_.forget();
     make_frame_tables(plan, meshes_, frame.row_pitch(), tables_);
     const FramePlanes planes = planes_.planes(frame);
@@ -75,8 +83,8 @@ class DeviceRenderer : public Renderer {
   const cl::CommandQueue& queue() const { return session_->queue(); }
 
   cl::Kernel& kernel(const char* stage, const char* name) {
-    cl::Kernel& found = kernels_[name];
-    if (!found()) found = session_->kernel(stage, name);
+    cl::Kernel& found = kernels_[{depth_format_, name}];
+    if (!found()) found = session_->kernel(stage, name, depth_options(depth_format_));
     return found;
   }
 
@@ -257,7 +265,8 @@ class DeviceRenderer : public Renderer {
   std::shared_ptr<Session> session_;
   MeshStore meshes_;
   Pools pools_;
-  std::map<std::string, cl::Kernel> kernels_;
+  DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
+  std::map<std::pair<DepthFormat, std::string>, cl::Kernel> kernels_;
   FramePlaneCache planes_{session_->context()};
   FrameTables tables_;
   KeptVertices kept_;

@@ -79,6 +79,8 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   frame.far_depth = plan.far_depth, frame.near = plan.near;
   copy(plan.ray, frame.ray);
   copy(plan.slant, frame.slant);
+  copy(plan.depth_buffer.far, frame.depth_far), copy(plan.depth_buffer.scale, frame.depth_scale);
+  frame.depth_span = plan.depth_buffer.span;
   frame.width = plan.width, frame.height = plan.height;
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
   frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;

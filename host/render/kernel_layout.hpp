@@ -13,7 +13,7 @@ using uint = std::uint32_t;
 static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 14));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(LightConstants) == 48);
-static_assert(sizeof(FrameConstants) == 4 * 49);
+static_assert(sizeof(FrameConstants) == 4 * 54);
 static_assert(sizeof(ChunkStatus) == 16);
 static_assert(sizeof(LargeTriangle) == 64);
 

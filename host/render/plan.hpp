@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "anim/timeline.hpp"
+#include "host/render/depth_buffer.hpp"
 #include "host/render/plan/active_targets.hpp"
 #include "host/scene/scene.hpp"
 
@@ -56,6 +57,7 @@ struct FramePlan {
   float near_depth = 0;               // depth on the near plane; larger depths are nearer
   float far_depth = 0;                // depth on the far plane: smaller ones are not drawn
   float near = 0;                     // perspective: Z = near / depth; parallel: Z = -depth
+  DepthBuffer depth_buffer;           // by which renderers tell what is nearest
   bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
   bool divides = true;                // false: w is 1 at every vertex, nothing is divided by it
   bool tests_depth = true;            // false: no pixel centre is covered twice, what comes is not compared

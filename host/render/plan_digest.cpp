@@ -45,10 +45,12 @@ struct CameraKey {
   float near_w, near_depth, far_depth, near;
   std::array<float, 4> ray;
   std::array<float, 2> slant;
+  std::uint32_t depth_format;
+  std::array<float, 2> depth_far, depth_scale;
   std::array<float, 3> ambient;
   std::uint32_t light_count, draw_count;
 };
-static_assert(sizeof(CameraKey) == 23 * 4);
+static_assert(sizeof(CameraKey) == 28 * 4);
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -73,8 +75,9 @@ PlanDigest pixel_digest(const FramePlan& plan) {
   const auto count = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
   Digester digester;
   digester.add(CameraKey{plan.width, plan.height, plan.color, plan.depth, plan.parallel, plan.near_plane, plan.near_w,
-                         plan.near_depth, plan.far_depth, plan.near, plan.ray, plan.slant, plan.ambient,
-                         count(plan.lights.size()), count(plan.draws.size())});
+                         plan.near_depth, plan.far_depth, plan.near, plan.ray, plan.slant,
+                         static_cast<std::uint32_t>(plan.depth_buffer.format), plan.depth_buffer.far,
+                         plan.depth_buffer.scale, plan.ambient, count(plan.lights.size()), count(plan.draws.size())});
   for (const EyeLight& light : plan.lights)
     digester.add(LightKey{static_cast<std::uint32_t>(light.kind), light.falloff, light.vector, light.color});
   for (const Draw& draw : plan.draws) {

@@ -8,6 +8,7 @@
 
 #include "anim/timeline.hpp"
 #include "host/geometry/mesh.hpp"
+#include "host/math/depth_format.hpp"
 #include "host/scene/frame_range.hpp"
 
 namespace morphcl {
@@ -34,6 +35,7 @@ struct ImageSettings {
   bool color = true;                // RGBA half
   bool depth = true;                // Z float
   std::string compression = "zip";
+  DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
 };
 
 struct Scene {

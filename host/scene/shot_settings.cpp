@@ -61,6 +61,14 @@ std::string read_compression(const ShotValue& compression) {
   return name;
 }
 
+DepthFormat read_depth_format(const ShotValue& value) {
+  const std::string& name = value.text();
+  if (const auto format = depth_format_named(name)) return *format;
+  std::vector<std::string_view> names;
+  for (const DepthFormat format : depth_formats) names.push_back(name_of(format));
+  value.fail(fmt::format("unknown depth_buffer \"{}\"{}", name, suggestion(name, names)));
+}
+
 std::int64_t fps_part(const ShotValue& value) {
   const std::int64_t part = value.integer();
   if (part < 1 || part > max_fps_part) value.fail(fmt::format("fps holds {}; 1 to {} is possible", part, max_fps_part));
@@ -78,7 +86,7 @@ TimeBase read_fps(const ShotValue& fps) {
 ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   ImageSettings settings;
   if (!image) return settings;
-  const ShotTable table = image->table({"size", "channels", "samples", "compression"});
+  const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer"});
   if (const auto size = table.find("size")) {
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
     settings.width = pixels((*size)[0]);
@@ -87,6 +95,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   if (const auto channels = table.find("channels")) read_channels(*channels, settings);
   if (const auto samples = table.find("samples")) read_samples(*samples);
   if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
+  if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
   return settings;
 }
 

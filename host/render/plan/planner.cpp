@@ -146,6 +146,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
   add_camera(volume, camera.world_to_eye, plan);
+  plan.depth_buffer = make_depth_buffer(scene.image.depth_format, volume.parallel ? -volume.near_depth : volume.near,
+                                        far_distance(camera.projection), volume.parallel);
   plan.ambient = to_array(timeline.ambient);
   for (std::size_t i = 0; i < timeline.lights.size(); ++i) {
     const LightState light = evaluate_light(timeline.lights[i], i, tick);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host/render/plan/screen_boundary.hpp"
+#include "host/render/reference/closeness.hpp"
 #include "host/render/reference/scene_vertices.hpp"
 
 namespace morphcl {
@@ -35,6 +36,18 @@ double depth_rounding(const ScreenVertex& a, const ScreenVertex& b, const Screen
   return 16 * 0x1p-24 * (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + 64 * 256) / area));
 }
 
+// Whether no pixel of the triangle can reach the far plane. Forward depth buffers add up its corners' closeness by
+// areas that are not negative: where that is positive, the sum is.
+bool stays_before_far_plane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                            std::int64_t area) {
+  if (plan.depth_buffer.is_forward()) {
+    const auto before_far = [&](const ScreenVertex& v) { return reference::closeness_of(v.depth, plan).high > 0.0f; };
+    return before_far(a) && before_far(b) && before_far(c);
+  }
+  const double lowest = std::min({a.depth, b.depth, c.depth});
+  return lowest - depth_rounding(a, b, c, static_cast<double>(area)) > plan.far_depth;
+}
+
 // The outline of the frame's only draw; nothing where the frame is no candidate, or some depth may reach the far plane.
 std::optional<ScreenBoundary> find_boundary(const FramePlan& plan) {
   if (plan.draws.size() != 1 || plan.clips) return std::nullopt;
@@ -53,8 +66,7 @@ std::optional<ScreenBoundary> find_boundary(const FramePlan& plan) {
     const ScreenVertex &p = a.screen, &q = b.screen, &r = c.screen;
     const std::int64_t area = doubled_area({p.x, p.y}, {q.x, q.y}, {r.x, r.y});
     if (area <= 0) continue;
-    const double lowest = std::min({p.depth, q.depth, r.depth});
-    if (!(lowest - depth_rounding(p, q, r, static_cast<double>(area)) > plan.far_depth)) return std::nullopt;
+    if (!stays_before_far_plane(plan, p, q, r, area)) return std::nullopt;
     boundary.add({p.x, p.y}, {q.x, q.y}, {r.x, r.y});
   }
   boundary.finish();

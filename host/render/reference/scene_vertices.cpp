@@ -81,6 +81,12 @@ ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid) {
           inverse_w};
 }
 
+ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid, const FramePlan& plan) {
+  ScreenVertex vertex = to_screen(p, grid);
+  if (plan.depth_buffer.is_forward()) vertex.depth = plan.parallel ? -p.z : p.w;
+  return vertex;
+}
+
 std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, const RasterGrid& grid) {
   const Mesh& mesh = *draw.mesh;
   std::vector<Vertex> vertices(mesh.positions.size());
@@ -90,7 +96,7 @@ std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, co
     v.clip = {row_times_point(draw.object_to_clip[0], v.position), row_times_point(draw.object_to_clip[1], v.position),
               row_times_point(draw.object_to_clip[2], v.position), row_times_point(draw.object_to_clip[3], v.position)};
     v.outcode = outcode(v.clip, plan, grid);
-    if (v.outcode == 0) v.screen = to_screen(v.clip, grid);
+    if (v.outcode == 0) v.screen = to_screen(v.clip, grid, plan);
     if (draw.shading == Shading::smooth) v.normal = eye_normal(draw, i);
     if (draw.vertex_colors) {
       v.color = morph(draw, mesh.colors, &MorphTarget::colors, i);

@@ -14,8 +14,9 @@ struct ClipPoint {
 };
 
 struct ScreenVertex {
-  int x, y;  // sub-pixels
-  float depth, inverse_w;
+  int x, y;     // sub-pixels
+  float depth;  // z / w; for forward depth buffers the distance along the view axis
+  float inverse_w;
 };
 
 struct Vertex {
@@ -36,5 +37,6 @@ float row_times_vector(const std::array<float, 3>& row, const glm::vec3& v);
 float near_distance(float z, float w, const FramePlan& plan);
 
 ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid);
+ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid, const FramePlan& plan);  // for its depth buffer
 
 }  // namespace morphcl::reference

@@ -10,6 +10,7 @@ namespace {
 
 struct Weights {
   float vertex[3];
+  float distance = 0;  // of the pixel, interpolated like an attribute
   float total() const { return vertex[0] + vertex[1] + vertex[2]; }
 };
 
@@ -25,11 +26,16 @@ Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], int 
     w.vertex[i] = difference_of_products(dx[j], dy[k], dx[k], dy[j]);
     if (!plan.parallel) w.vertex[i] *= corner[i].inverse_w;
   }
+  if (plan.depth_buffer.is_forward())  // its corners have their distance in place of depth
+    w.distance =
+        std::fma(w.vertex[0], corner[0].depth, std::fma(w.vertex[1], corner[1].depth, w.vertex[2] * corner[2].depth)) /
+        w.total();
   return w;
 }
 
 Weights source_weights(const Weights& cut, const Piece& piece) {
   Weights w;
+  w.distance = cut.distance;
   for (int i = 0; i < 3; ++i)
     w.vertex[i] = std::fma(cut.vertex[0], piece.weight[0][i],
                            std::fma(cut.vertex[1], piece.weight[1][i], cut.vertex[2] * piece.weight[2][i]));
@@ -79,7 +85,9 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
     glm::vec3 normal = interpolate(w, a->normal, b->normal, c->normal);
     // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
     if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
-    color *= irradiance(plan, normal, eye_position(plan, x, y, eye_distance(plan, sample.depth)));
+    // A coarse depth buffer decides what is seen, not how it is lit.
+    const float distance = plan.depth_buffer.is_forward() ? w.distance : eye_distance(plan, sample.depth);
+    color *= irradiance(plan, normal, eye_position(plan, x, y, distance));
   }
   if (draw.vertex_colors) {
     const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);

@@ -5,6 +5,7 @@
 
 #include "host/render/kernel_layout.hpp"
 #include "host/render/reference/clip_polygon.hpp"
+#include "host/render/reference/depth_plane.hpp"
 
 namespace morphcl::reference {
 
@@ -12,7 +13,6 @@ namespace {
 
 int first_pixel(int low) { return (low + 127) >> layout::subpixel_bits; }
 int last_pixel(int high) { return (high - 128) >> layout::subpixel_bits; }
-int centre(int pixel) { return pixel * 256 + 128; }
 
 class Rasterizer {
  public:
@@ -29,20 +29,27 @@ class Rasterizer {
     const int first_x = first_pixel(low_x), first_y = first_pixel(low_y);
     const int last_x = std::min(last_pixel(high_x), plan_.width - 1),
               last_y = std::min(last_pixel(high_y), plan_.height - 1);
+    const auto fill = [&](const auto& depth_at) {
+      for (int y = std::max(first_y, 0); y <= last_y; ++y)
+        for (int x = std::max(first_x, 0); x <= last_x; ++x)
+          if (inside(a, b, x, y) && inside(b, c, x, y) && inside(c, a, x, y)) cover(x, y, depth_at(x, y), identity);
+    };
+    if (plan_.depth_buffer.is_forward()) {
+      const ClosenessPlane plane(plan_, a, b, c, area);
+      fill([&](int x, int y) { return plane.at(x, y); });
+      return;
+    }
     // Small triangles measure depth from their own box, the others from the tile's corner, starting at the farthest
     // vertex.
     const int most = layout::tile * 256;
     const bool small = may_be_small && high_x - low_x < most && high_y - low_y < most &&
                        last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
     if (!small) turn_farthest_first(a, b, c);
-    const DepthPlane depth(a, b, c, area);
-    for (int y = std::max(first_y, 0); y <= last_y; ++y)
-      for (int x = std::max(first_x, 0); x <= last_x; ++x) {
-        if (!inside(a, b, x, y) || !inside(b, c, x, y) || !inside(c, a, x, y)) continue;
-        const int origin_x = small ? first_x : x / layout::tile * layout::tile;
-        const int origin_y = small ? first_y : y / layout::tile * layout::tile;
-        cover(x, y, depth.at(x, y, origin_x, origin_y), identity);
-      }
+    const ReversedPlane plane(a, b, c, area);
+    fill([&](int x, int y) {
+      return small ? plane.at(x, y, first_x, first_y)
+                   : plane.at(x, y, x / layout::tile * layout::tile, y / layout::tile * layout::tile);
+    });
   }
 
   void line(ScreenVertex a, ScreenVertex b, const Sample& identity) {
@@ -53,42 +60,17 @@ class Rasterizer {
     if (run == 0) return;
     const int limit = steep ? plan_.height : plan_.width;
     for (int along = 0; along < limit; ++along) {
-      const std::int64_t offset = centre(along) - start;
+      const std::int64_t offset = pixel_centre(along) - start;
       if (offset < 0 || offset >= run) continue;
       const std::int64_t numerator = across * run + rise * offset, denominator = run * 256;
       const std::int64_t other = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
       if (other < 0 || other >= (steep ? plan_.width : plan_.height)) continue;
-      const float depth = std::fma(static_cast<float>(offset) / static_cast<float>(run), b.depth - a.depth, a.depth);
-      cover(steep ? static_cast<int>(other) : along, steep ? along : static_cast<int>(other), depth, identity);
+      cover(steep ? static_cast<int>(other) : along, steep ? along : static_cast<int>(other),
+            depth_on_line(plan_, a, b, offset, run), identity);
     }
   }
 
  private:
-  struct DepthPlane {
-    DepthPlane(const ScreenVertex& a_, const ScreenVertex& b, const ScreenVertex& c, std::int64_t area)
-        : a(a_),
-          d1x(b.x - a.x),
-          d1y(b.y - a.y),
-          d2x(c.x - a.x),
-          d2y(c.y - a.y),
-          d1(b.depth - a.depth),
-          d2(c.depth - a.depth) {
-      inverse_area = 1.0f / static_cast<float>(area);
-      dx = std::fma(static_cast<float>(d2y), d1, -(static_cast<float>(d1y) * d2)) * inverse_area * 256.0f;
-      dy = std::fma(static_cast<float>(d1x), d2, -(static_cast<float>(d2x) * d1)) * inverse_area * 256.0f;
-    }
-    float at(int x, int y, int origin_x, int origin_y) const {
-      const std::int64_t ox = centre(origin_x) - a.x, oy = centre(origin_y) - a.y;
-      const float part1 = static_cast<float>(ox * d2y - oy * d2x) * inverse_area;
-      const float part2 = static_cast<float>(oy * d1x - ox * d1y) * inverse_area;
-      const float origin = std::fma(part1, d1, std::fma(part2, d2, a.depth));
-      return std::fma(dx, static_cast<float>(x - origin_x), std::fma(dy, static_cast<float>(y - origin_y), origin));
-    }
-    ScreenVertex a;
-    int d1x, d1y, d2x, d2y;
-    float d1, d2, inverse_area, dx, dy;
-  };
-
   static void turn_farthest_first(ScreenVertex& a, ScreenVertex& b, ScreenVertex& c) {
     const ScreenVertex first = a, second = b, third = c;
     if (b.depth < a.depth && b.depth <= c.depth)
@@ -100,16 +82,20 @@ class Rasterizer {
   // Centres on an edge belong to the triangle whose top or left edge it is.
   static bool inside(const ScreenVertex& from, const ScreenVertex& to, int x, int y) {
     const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
-    const std::int64_t value = dx * (centre(y) - from.y) - dy * (centre(x) - from.x);
+    const std::int64_t value = dx * (pixel_centre(y) - from.y) - dy * (pixel_centre(x) - from.x);
     const bool owns_edge = dy < 0 || (dy == 0 && dx > 0);
     return owns_edge ? value >= 0 : value > 0;
   }
 
-  void cover(int x, int y, float depth, const Sample& identity) {
+  void cover(int x, int y, const StoredDepth& stored, const Sample& identity) {
+    if (!stored.in_range) return;
     Sample& held = samples_[static_cast<std::size_t>(y) * plan_.width + x];
-    if (depth > held.depth || (depth == held.depth && identity.order < held.order)) {
+    const bool forward = plan_.depth_buffer.is_forward();
+    const bool nearer = forward ? stored.key > held.key : stored.depth > held.depth;
+    const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
+    if (nearer || (equal && identity.order < held.order)) {
       held = identity;
-      held.depth = depth;
+      held.depth = stored.depth, held.key = stored.key;
     }
   }
 
@@ -123,7 +109,7 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices) {
   Visibility visible;
   visible.samples.assign(static_cast<std::size_t>(plan.width) * plan.height,
-                         {plan.far_depth, no_order, 0, 0, no_piece});
+                         {plan.far_depth, 0, no_order, 0, 0, no_piece});
   Rasterizer rasterizer(plan, visible.samples);
   std::uint64_t order = 0;
   for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {
@@ -139,7 +125,7 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
         v.push_back(&vertices[d][lines ? edges[p][i] : draw.mesh->triangles[p][i]]);
       int some = 0, all = ~0;
       for (const Vertex* vertex : v) some |= vertex->outcode, all &= vertex->outcode;
-      Sample identity{0, order, d, p, no_piece};
+      Sample identity{0, 0, order, d, p, no_piece};
       if (some == 0) {
         if (lines)
           rasterizer.line(v[0]->screen, v[1]->screen, identity);
@@ -154,14 +140,14 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
       corners = clip_polygon(std::move(corners), plan, grid);
       if (lines) {
         if (corners.size() == 2)
-          rasterizer.line(to_screen(corners[0].clip, grid), to_screen(corners[1].clip, grid), identity);
+          rasterizer.line(to_screen(corners[0].clip, grid, plan), to_screen(corners[1].clip, grid, plan), identity);
         continue;
       }
       for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         Piece piece;
         const Corner* const fan[3] = {&corners[0], &corners[i], &corners[i + 1]};
         for (int k = 0; k < 3; ++k) {
-          piece.corner[k] = to_screen(fan[k]->clip, grid);
+          piece.corner[k] = to_screen(fan[k]->clip, grid, plan);
           std::copy(fan[k]->weight, fan[k]->weight + 3, piece.weight[k]);
         }
         identity.order = order + i;

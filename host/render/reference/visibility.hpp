@@ -11,7 +11,8 @@ namespace morphcl::reference {
 
 // The primitive that a pixel shows; order compares in drawing order and is no_order where nothing is seen.
 struct Sample {
-  float depth;
+  float depth;        // near / distance, in parallel projections minus the distance, as the depth buffer has it
+  std::uint32_t key;  // of a forward depth buffer
   std::uint64_t order;
   std::uint32_t draw, primitive;
   std::uint32_t piece;  // index into the clipped triangles of the frame, or no_piece

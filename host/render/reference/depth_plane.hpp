@@ -1,0 +1,56 @@
+// The reference's view of kernels/reversed_depth.h and of the other half of kernels/forward_depth.h: depth over a
+// triangle and along a line.
+#pragma once
+
+#include <algorithm>
+
+#include "host/render/reference/closeness.hpp"
+#include "host/render/reference/scene_vertices.hpp"
+
+namespace morphcl::reference {
+
+// What a depth buffer holds at a pixel.
+struct StoredDepth {
+  float depth;            // near / distance, in parallel projections minus the distance: what the buffer stands for
+  std::uint32_t key = 0;  // of forward buffers: by this they compare
+  bool in_range = true;   // of forward buffers: not beyond the far plane. The reversed one compares with its background
+};
+
+inline int pixel_centre(int pixel) { return pixel * 256 + 128; }
+
+// Triangles a b c whose doubled area is positive.
+
+// The reversed float buffer: from corner a to the centre of an origin pixel, from there in steps.
+class ReversedPlane {
+ public:
+  ReversedPlane(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int64_t area);
+  StoredDepth at(int x, int y, int origin_x, int origin_y) const;
+
+ private:
+  ScreenVertex a_;
+  int d1x_, d1y_, d2x_, d2y_;
+  float d1_, d2_, inverse_area_, dx_, dy_;
+};
+
+// Forward buffers: by the exact areas opposite to the corners.
+class ClosenessPlane {
+ public:
+  ClosenessPlane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                 std::int64_t area);
+  StoredDepth at(int x, int y) const;
+
+ private:
+  const DepthBuffer& buffer_;
+  ScreenVertex a_;
+  int d1x_, d1y_, d2x_, d2y_;
+  std::int64_t area_;
+  TwoFloat over_area_[3];  // closeness of the corners
+  std::uint32_t least_, greatest_;
+  bool in_range_;
+};
+
+// After offset / run of the line from a to b.
+StoredDepth depth_on_line(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, std::int64_t offset,
+                          std::int64_t run);
+
+}  // namespace morphcl::reference
