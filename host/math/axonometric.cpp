@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/error.hpp"
@@ -54,17 +55,17 @@ ViewDirection view_from_ratios(const glm::dvec3& ratios) {
 }
 
 ViewDirection view_from_axis_angles(double x_degrees, double z_degrees) {
-  if (!(x_degrees >= 0 && z_degrees >= 0 && x_degrees + z_degrees < 90 && x_degrees + z_degrees > 0))
+  // What is left of a right angle, without rounding where it is small.
+  const double rest = (90 - std::max(x_degrees, z_degrees)) - std::min(x_degrees, z_degrees);
+  if (!(x_degrees >= 0 && z_degrees >= 0 && rest > 0 && rest < 90))
     refuse("the axes' angles are {} and {} degrees; each must be 0 or more, and their sum above 0 and below 90",
            x_degrees, z_degrees);
-  // With azimuth a and elevation e: tan x = tan a sin e, tan z = cot a sin e.
-  const SinCos x = sin_cos_degrees(x_degrees), z = sin_cos_degrees(z_degrees),
-               sum = sin_cos_degrees(x_degrees + z_degrees);
-  const double sin_elevation = std::sqrt(x.sin * z.sin / (x.cos * z.cos));
-  const double cos_elevation = std::sqrt(sum.cos / (x.cos * z.cos));  // 1 - tan x tan z = cos(x + z) / (cos x cos z)
-  const double sin_azimuth = std::sqrt(x.sin * z.cos / sum.sin), cos_azimuth = std::sqrt(z.sin * x.cos / sum.sin);
-  return {{sin_azimuth * cos_elevation, sin_elevation, cos_azimuth * cos_elevation},
-          glm::dvec3(-sin_azimuth * sin_elevation, cos_elevation, -cos_azimuth * sin_elevation) + 0.0};
+  // With azimuth a and elevation e, tan x = tan a sin e and tan z = cot a sin e: solved for the direction, times a
+  // factor.
+  const SinCos x = sin_cos_degrees(x_degrees), z = sin_cos_degrees(z_degrees), r = sin_cos_degrees(rest);
+  const glm::dvec3 n =
+      unit({std::sqrt(x.sin * z.cos * r.sin), std::sqrt(x.sin * z.sin * r.cos), std::sqrt(z.sin * x.cos * r.sin)});
+  return upright(n, std::sqrt(std::fma(n.x, n.x, n.z * n.z)));
 }
 
 ViewDirection seen_from_corner(const ViewDirection& view, const glm::dvec3& corner) {

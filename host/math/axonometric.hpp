@@ -11,7 +11,8 @@
 
 namespace morphcl {
 
-// Unit vectors of world space at right angles, each component within 8u64: where the eye is, and what is up.
+// Unit vectors of world space at right angles: where the eye is, and what is up. Components are within 8u64, but from
+// ratios their squares are within 4u64: a small component n within 2u64 / n.
 struct ViewDirection {
   glm::dvec3 towards_eye{0, 0, 1}, up{0, 1, 0};
 };

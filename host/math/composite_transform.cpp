@@ -58,7 +58,7 @@ TransformStep general_step(std::string name, std::string detail, const glm::dmat
 
 }  // namespace
 
-CompositeTransform& CompositeTransform::add(TransformStep step) {
+CompositeTransform& CompositeTransform::add_step(TransformStep step) {
   if (!is_finite(step.matrix))
     throw Error(ErrorKind::usage, "", fmt::format("{} {} overflows; use smaller numbers", step.name, step.detail));
   steps_.push_back(std::move(step));
@@ -67,23 +67,23 @@ CompositeTransform& CompositeTransform::add(TransformStep step) {
 
 CompositeTransform& CompositeTransform::translate(const glm::dvec3& offset) {
   require_finite("translate", offset);
-  return add({"translate", "by " + text(offset), translation(offset), translation(0.0 - offset), true});
+  return add_step({"translate", "by " + text(offset), translation(offset), translation(0.0 - offset), true});
 }
 
 CompositeTransform& CompositeTransform::scale(const glm::dvec3& factor) {
   require_finite("scale", factor);
-  return add(scaling_step("scale", "by " + text(factor), glm::dvec3(0.0), factor));
+  return add_step(scaling_step("scale", "by " + text(factor), glm::dvec3(0.0), factor));
 }
 
 CompositeTransform& CompositeTransform::scale_about(const glm::dvec3& point, const glm::dvec3& factor) {
   require_finite("scale_about", point, factor);
-  return add(scaling_step("scale_about", fmt::format("point {} by {}", text(point), text(factor)), point, factor));
+  return add_step(scaling_step("scale_about", fmt::format("point {} by {}", text(point), text(factor)), point, factor));
 }
 
 CompositeTransform& CompositeTransform::rotate(const char* name, const glm::dvec3& axis, double degrees) {
   require_finite(name, degrees);
   const glm::dmat4 matrix = rotation_about_line(glm::dvec3(0.0), axis, degrees);
-  return add({name, fmt::format("{} degrees", degrees), matrix, glm::transpose(matrix), true});
+  return add_step({name, fmt::format("{} degrees", degrees), matrix, glm::transpose(matrix), true});
 }
 
 CompositeTransform& CompositeTransform::rotate_x_degrees(double degrees) {
@@ -105,8 +105,8 @@ CompositeTransform& CompositeTransform::rotate_about_axis(const glm::dvec3& from
     throw Error(ErrorKind::usage, "",
                 fmt::format("rotate_about_axis: both points are {}; an axis needs two different points", text(from)));
   const glm::dvec3 axis = direction_from_to(from, to).high;
-  return add({"rotate_about_axis", fmt::format("from {} to {}, {} degrees", text(from), text(to), degrees),
-              rotation_about_line(from, axis, degrees), rotation_about_line(from, axis, -degrees), true});
+  return add_step({"rotate_about_axis", fmt::format("from {} to {}, {} degrees", text(from), text(to), degrees),
+                   rotation_about_line(from, axis, degrees), rotation_about_line(from, axis, -degrees), true});
 }
 
 CompositeTransform& CompositeTransform::shear(double xy, double xz, double yx, double yz, double zx, double zy) {
@@ -118,7 +118,7 @@ CompositeTransform& CompositeTransform::shear(double xy, double xz, double yx, d
   matrix[2][1] = yz;
   matrix[0][2] = zx;
   matrix[1][2] = zy;
-  return add(
+  return add_step(
       general_step("shear", fmt::format("xy {}, xz {}, yx {}, yz {}, zx {}, zy {}", xy, xz, yx, yz, zx, zy), matrix));
 }
 
@@ -132,7 +132,7 @@ CompositeTransform& CompositeTransform::matrix_step(const glm::dmat4& affine) {
   std::string detail = "rows";
   for (int row = 0; row < 3; ++row)
     detail += fmt::format(" [{}, {}, {}, {}]", rows[row].x, rows[row].y, rows[row].z, rows[row].w);
-  return add(general_step("matrix", std::move(detail), affine));
+  return add_step(general_step("matrix", std::move(detail), affine));
 }
 
 CompositeTransform& CompositeTransform::append(const CompositeTransform& after) {

@@ -42,6 +42,8 @@ class CompositeTransform {
   // x' = x + xy*y + xz*z, y' = y + yx*x + yz*z, z' = z + zx*x + zy*y
   CompositeTransform& shear(double xy, double xz, double yx, double yz, double zx, double zy);
   CompositeTransform& matrix_step(const glm::dmat4& affine);  // error when the last row is not 0 0 0 1
+  // A step of the caller's making: `matrix` is affine and `inverse` undoes it. Error when the matrix is not finite.
+  CompositeTransform& add_step(TransformStep step);
   CompositeTransform& append(const CompositeTransform& after);
 
   const std::vector<TransformStep>& steps() const { return steps_; }
@@ -50,7 +52,6 @@ class CompositeTransform {
   std::string to_string() const;       // one numbered line a step: name and detail
 
  private:
-  CompositeTransform& add(TransformStep step);
   CompositeTransform& rotate(const char* name, const glm::dvec3& axis, double degrees);
   std::vector<TransformStep> steps_;
 };

@@ -1,5 +1,8 @@
 #include "host/math/decompose.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
@@ -7,6 +10,22 @@
 #include "host/math/kahan.hpp"
 
 namespace morphcl {
+
+namespace {
+
+// Of the first three columns, over each column's length.
+double largest_difference(const glm::dmat4& a, const glm::dmat4& b) {
+  double largest = 0;
+  for (int column = 0; column < 3; ++column) {
+    const ScaledVector scaled = scale_to_one(glm::dvec3(b[column]));
+    const double length = glm::length(scaled.vector);
+    for (int row = 0; row < 3; ++row)
+      largest = std::max(largest, std::abs(std::ldexp(a[column][row] - b[column][row], -scaled.exponent)) / length);
+  }
+  return largest;
+}
+
+}  // namespace
 
 Decomposition decompose(const glm::dmat4& affine) {
   const bool is_affine = affine[0][3] == 0 && affine[1][3] == 0 && affine[2][3] == 0 && affine[3][3] == 1;
@@ -26,6 +45,9 @@ Decomposition decompose(const glm::dmat4& affine) {
   parts.scale = {glm::dot(x_image, x), glm::dot(y_image, y), glm::dot(z_image, z)};
   parts.shear = {glm::dot(y_image, x) / parts.scale.y, glm::dot(z_image, x) / parts.scale.z,
                  glm::dot(z_image, y) / parts.scale.z};
+  parts.residual = largest_difference(parts.matrix(), affine);
+  // Of unit vectors: x and the plane of y, and the rest of z.
+  parts.volume = std::abs(glm::dot(unit(y_image), y)) * std::abs(glm::dot(unit(z_image), z));
   return parts;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/error.hpp"
@@ -27,7 +28,7 @@ double oblique_factor(double beta_degrees) {
                             "picture's plane, the more an error of the angle moves the picture",
                             beta_degrees, smallest_beta_degrees));
   const SinCos angle = sin_cos_degrees(beta_degrees);
-  return angle.cos / angle.sin;
+  return std::min(angle.cos / angle.sin, largest_oblique_factor);
 }
 
 ObliqueShear oblique_shear_along(const glm::dvec3& direction) {

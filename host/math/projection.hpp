@@ -50,7 +50,7 @@ struct Orthographic {
 // Orthographic; near, far and `plane`, where nothing is moved, are distances along the view axis.
 struct Oblique {
   double left = -1, right = 1, bottom = -1, top = 1, near = 0, far = 100;
-  ObliqueShear shear;
+  ObliqueShear shear{};
   double plane = 0;
   Fit fit = Fit::widen;
 };

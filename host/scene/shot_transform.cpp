@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
+#include "host/math/seven_step_rotation.hpp"
+
 namespace morphcl {
 
 namespace {
@@ -14,6 +18,19 @@ void read_scale_about(const ShotValue& value, CompositeTransform& transform) {
 void read_rotate_about_axis(const ShotValue& value, CompositeTransform& transform) {
   const ShotTable table = value.table({"from", "to", "degrees"});
   transform.rotate_about_axis(table.need("from").vector(), table.need("to").vector(), table.need("degrees").number());
+}
+
+// The first `steps` of the seven, all of them where it is not given.
+void read_rotate_in_seven_steps(const ShotValue& value, CompositeTransform& transform) {
+  const ShotTable table = value.table({"from", "to", "degrees", "steps"});
+  const CompositeTransform all =
+      rotation_in_seven_steps(table.need("from").vector(), table.need("to").vector(), table.need("degrees").number());
+  std::int64_t count = 7;
+  if (const auto steps = table.find("steps")) {
+    count = steps->integer();
+    if (count < 0 || count > 7) steps->fail(fmt::format("steps is {}; 0 to 7 are possible", count));
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) transform.add_step(all.steps()[i]);
 }
 
 void read_shear(const ShotValue& value, CompositeTransform& transform) {
@@ -40,8 +57,9 @@ void read_matrix(const ShotValue& value, CompositeTransform& transform) {
 }  // namespace
 
 void read_transform_step(const ShotValue& step, CompositeTransform& transform) {
-  const ShotTable table = step.table({"translate", "scale", "scale_about", "rotate_x_degrees", "rotate_y_degrees",
-                                      "rotate_z_degrees", "rotate_about_axis", "shear", "matrix"});
+  const ShotTable table =
+      step.table({"translate", "scale", "scale_about", "rotate_x_degrees", "rotate_y_degrees", "rotate_z_degrees",
+                  "rotate_about_axis", "rotate_in_seven_steps", "shear", "matrix"});
   if (table.entries().size() != 1)
     step.fail(fmt::format("a transform step has exactly one key; this one has {}", table.entries().size()));
   const std::string& key = table.entries().front().key;
@@ -54,6 +72,7 @@ void read_transform_step(const ShotValue& step, CompositeTransform& transform) {
     if (key == "rotate_y_degrees") transform.rotate_y_degrees(value.number());
     if (key == "rotate_z_degrees") transform.rotate_z_degrees(value.number());
     if (key == "rotate_about_axis") read_rotate_about_axis(value, transform);
+    if (key == "rotate_in_seven_steps") read_rotate_in_seven_steps(value, transform);
     if (key == "shear") read_shear(value, transform);
     if (key == "matrix") read_matrix(value, transform);
   });

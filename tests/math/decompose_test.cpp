@@ -19,6 +19,11 @@ TEST(Decompose, PutsTogetherWhatItTookApart) {
     for (int c = 0; c < 4; ++c) m[c] = glm::dvec4(random.vector(size), c == 3 ? 1 : 0);
     const Decomposition parts = decompose(m);
     const glm::dmat4 whole = parts.matrix();
+    double residual = 0;
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r)
+        residual = std::max(residual, std::abs(whole[c][r] - m[c][r]) / glm::length(glm::dvec3(m[c])));
+    EXPECT_NEAR(parts.residual, residual, 1e-6 * residual) << i;
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 3; ++r)
         EXPECT_TRUE(within(whole[c][r], m[c][r], relative_bound * glm::length(glm::dvec3(m[c]))))
@@ -49,6 +54,20 @@ TEST(Decompose, MirrorIsInTheScaleOfZ) {
   const Decomposition parts = decompose(CompositeTransform().scale({1, 1, -4}).matrix());
   EXPECT_EQ(parts.scale, glm::dvec3(1, 1, -4));
   EXPECT_EQ(parts.rotation, glm::dmat3(1.0));
+}
+
+// The closer two axes' images are, the smaller the volume; the parts still make up the map.
+TEST(Decompose, NearlySingularMapsAreMeasured) {
+  EXPECT_EQ(decompose(CompositeTransform().scale({1e-100, 1, -1e100}).matrix()).volume, 1);
+  for (const double gap : {1.0, 1e-3, 1e-9, 1e-14}) {
+    const Decomposition parts = decompose(CompositeTransform().shear(1 / gap, 0, 0, 0, 0, 0).matrix());
+    // The angle between the images of x and y is atan(gap).
+    EXPECT_TRUE(within(parts.volume, gap / std::sqrt(1 + gap * gap), 8 * u64)) << gap;
+    EXPECT_LE(parts.residual, relative_bound) << gap;
+    EXPECT_TRUE(within(parts.shear.x * parts.scale.y, 1 / gap, relative_bound / gap)) << gap;
+  }
+  expect_error([] { decompose(CompositeTransform().shear(1e17, 0, 0, 0, 0, 0).matrix()); }, ErrorKind::usage,
+               "singular");
 }
 
 TEST(Decompose, SingularAndProjectiveMapsAreErrors) {

@@ -87,7 +87,17 @@ INSTANTIATE_TEST_SUITE_P(
               "3:1: a transform step has exactly one key; this one has 2"},
         Wrong{"UnknownStep", "mesh = \"cube\"\n[[object.transform]]\nrotate_x = 5",
               "4:1: unknown key \"rotate_x\" in transform; known: translate, scale, scale_about, rotate_x_degrees, "
-              "rotate_y_degrees, rotate_z_degrees, rotate_about_axis, shear, matrix"},
+              "rotate_y_degrees, rotate_z_degrees, rotate_about_axis, rotate_in_seven_steps, shear, matrix"},
+        Wrong{
+            "SevenStepsAlongX",
+            "mesh = \"cube\"\n[[object.transform]]\n"
+            "rotate_in_seven_steps = { from = [0, 0, 0], to = [1, 0, 0], degrees = 5 }",
+            "4:25: rotation in seven steps: the axis from (0, 0, 0) to (1, 0, 0) is parallel to x, and step 2 divides "
+            "by 0; rotate_about_axis has no such gap"},
+        Wrong{"EightOfSevenSteps",
+              "mesh = \"cube\"\n[[object.transform]]\n"
+              "rotate_in_seven_steps = { from = [0, 0, 0], to = [1, 1, 0], degrees = 5, steps = 8 }",
+              "4:82: steps is 8; 0 to 7 are possible"},
         Wrong{"TranslateNumber", "mesh = \"cube\"\n[[object.transform]]\ntranslate = 5",
               "4:13: translate must be three numbers: [x, y, z]"},
         Wrong{"ScaleAboutWithoutPoint", "mesh = \"cube\"\n[[object.transform]]\nscale_about = { factor = [1, 1, 1] }",

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "host/math/composite_transform.hpp"
+#include "host/math/seven_step_rotation.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {
@@ -165,6 +166,24 @@ matrix = [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]]
   expected.rotate_about_axis({1, 0, 0}, {1, 0, 5}, 40).shear(0.1, 0.2, 0.3, 0.4, 0.5, 0.6);
   expected.matrix_step(glm::dmat4({1, 5, 9, 0}, {2, 6, 10, 0}, {3, 7, 11, 0}, {4, 8, 12, 1}));
   EXPECT_EQ(scene.timeline.nodes[scene.objects[0].node - 1].static_transform, expected.matrix());
+}
+
+TEST(Shot, ShowsEachOfTheSevenSteps) {
+  const auto transform = [](const std::string& steps) {
+    const Scene scene =
+        ShotFolder().load(std::string(test::cube_object) +
+                          "[[object.transform]]\nrotate_in_seven_steps = { from = [1, 2, 3], to = [2, 0, "
+                          "4], degrees = 60" +
+                          steps + " }\n");
+    return scene.timeline.nodes[scene.objects[0].node - 1].static_transform;
+  };
+  const std::vector<TransformStep> all = rotation_in_seven_steps({1, 2, 3}, {2, 0, 4}, 60).steps();
+  EXPECT_EQ(transform(", steps = 0"), glm::dmat4(1.0));
+  EXPECT_EQ(transform(", steps = 3"), all[2].matrix * (all[1].matrix * all[0].matrix));
+  const glm::dmat4 whole = transform(""),
+                   stable = CompositeTransform().rotate_about_axis({1, 2, 3}, {2, 0, 4}, 60).matrix();
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r) EXPECT_NEAR(whole[c][r], stable[c][r], 1e-14);
 }
 
 TEST(Shot, SharesTheMeshesOfItsObjects) {
