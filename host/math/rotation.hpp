@@ -16,6 +16,9 @@ struct AxisRotation {
 // The axis is finite and not 0; its length does not matter.
 AxisRotation axis_rotation(const glm::dvec3& axis, double degrees);
 
+// The same for an angle in radians; it is the double that is meant, however large.
+AxisRotation axis_rotation_radians(const glm::dvec3& axis, double radians);
+
 // About the line through `point` along `axis`: x -> R x + (I - R) point.
 glm::dmat4 rotation_about_line(const glm::dvec3& point, const glm::dvec3& axis, double degrees);
 
