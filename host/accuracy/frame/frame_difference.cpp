@@ -57,10 +57,9 @@ class Comparison {
     if (exact_shows != shown_shows) {
       kind = PixelDifference::outline;
     } else if (exact.object != shown.object || exact.primitive != shown.primitive) {
-      const std::optional<Hit<double>> hit = truth_.hit(shown.object, shown.primitive, x, y);
-      kind = hit ? PixelDifference::order : PixelDifference::edge;
-      const double gap = hit ? std::abs(hit->distance / exact.distance - 1) : 0;
-      for (Differences* d : {&object, &result_.total}) d->widest_gap = std::max(d->widest_gap, gap);
+      const std::optional<double> gap = gap_of_order(x, y, exact, shown);
+      kind = gap ? PixelDifference::order : PixelDifference::edge;
+      for (Differences* d : {&object, &result_.total}) d->widest_gap = std::max(d->widest_gap, gap.value_or(0));
     }
     for (Differences* d : {&object, &result_.total}) {
       ++d->pixels;
@@ -72,6 +71,19 @@ class Comparison {
     const bool same = kind == PixelDifference::none;
     if (plan_.color) compare_color(x, y, at, exact, shown, same ? &object : nullptr);
     if (plan_.depth) compare_depth(x, y, at, exact, shown, same ? &object : nullptr);
+  }
+
+  // How much farther, relative, what is shown lies than what is nearest in truth; nothing where it is not depth that
+  // made the difference: where the primitive shown does not cover the pixel in truth, or where the nearest one only
+  // just does and lies clearly in front.
+  std::optional<double> gap_of_order(int x, int y, const Visible<double>& exact, const ShownPixel& shown) const {
+    constexpr int largest_shift = 2;           // sub-pixels that rounding and the grid move a vertex
+    constexpr double largest_error = 0x1p-16;  // relative, of a depth
+    const std::optional<Hit<double>> hit = truth_.hit(shown.object, shown.primitive, x, y);
+    if (!hit) return std::nullopt;
+    const double gap = std::abs(hit->distance / exact.distance - 1);
+    if (gap <= largest_error || truth_.covers_around(exact.object, exact.primitive, x, y, largest_shift)) return gap;
+    return std::nullopt;
   }
 
   // `object` takes the errors; null where other things are shown, whose difference only the planes hold.

@@ -36,8 +36,8 @@ struct Differences {
   std::string name;            // of the object; empty for the whole frame
   std::size_t pixels = 0;      // that show it in either render
   std::size_t outline = 0;     // that show it in one render and the background in the other
-  std::size_t edge = 0;        // that show another primitive, which in truth does not cover the pixel's centre
-  std::size_t order = 0;       // that show another primitive, which in truth does but lies farther away
+  std::size_t edge = 0;        // that show another primitive, because coverage differs where primitives meet or overlap
+  std::size_t order = 0;       // that show another primitive, because the depths of the two compare differently
   double widest_gap = 0;       // of `order`: how much farther, relative
   ErrorByCause color;          // absolute; every channel counts
   ErrorByCause color_spacing;  // in spacings of half: storage alone costs up to 0.5

@@ -72,6 +72,13 @@ class PreciseFrame {
     return nearest;
   }
 
+  // Whether the primitive also covers everything within `reach` sub-pixels of the pixel's centre.
+  bool covers_around(std::uint32_t object, std::uint32_t primitive, int x, int y, int reach) const {
+    bool covers = false;
+    for_each_piece(object, primitive, [&](const auto& piece) { covers |= piece.covers_around(x, y, reach); });
+    return covers;
+  }
+
   // Red, green and blue, not rounded.
   Vector3<Real> color(std::uint32_t object_index, std::uint32_t primitive, const Hit<Real>& hit, int x, int y) const {
     const PreciseObject<Real>& object = objects_[object_index];

@@ -33,6 +33,8 @@ class ScreenLine {
     return Hit<Real>{(share_a * a_.distance + share_b * b_.distance) / total, {}, true};
   }
 
+  bool covers_around(int, int, int) const { return false; }  // a line has no inside
+
   template <class Visit>
   void for_each_pixel(const Visit& visit) const {
     const PixelSpan steps = pixels_between(start_, Coordinate(start_ + run_), steep_ ? height_ : width_);

@@ -69,6 +69,18 @@ class ScreenTriangle {
     return hit;
   }
 
+  // Whether everything within `reach` sub-pixels of the pixel's centre, sideways and up and down, is covered.
+  bool covers_around(int x, int y, int reach) const {
+    const ScreenPoint<Coordinate> centre{Coordinate(pixel_centre(x)), Coordinate(pixel_centre(y))};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ScreenPoint<Coordinate>&from = at_[i], &to = at_[(i + 1) % 3];
+      const Coordinate wide = to.x < from.x ? Coordinate(from.x - to.x) : Coordinate(to.x - from.x);
+      const Coordinate high = to.y < from.y ? Coordinate(from.y - to.y) : Coordinate(to.y - from.y);
+      if (edge_function(from, to, centre) <= (wide + high) * reach) return false;
+    }
+    return true;
+  }
+
   // visit(x, y, hit) for every pixel that is covered.
   template <class Visit>
   void for_each_pixel(const Visit& visit) const {

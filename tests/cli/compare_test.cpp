@@ -1,0 +1,87 @@
+// morphcl compare: what it prints and writes, and what it refuses.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class Compare : public ScratchFolder {
+ protected:
+  ToolResult compare(std::vector<std::string> options) {
+    std::vector<std::string> arguments = {"compare", plant("shot.toml", cube_shot()), "--device", "reference"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_tool(arguments, {.folder = folder_});
+  }
+};
+
+TEST_F(Compare, PrintsBothTruthsOfTheFirstFrame) {
+  const ToolResult result = compare({});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("frame 0, 32x18, fp64 with vertices on the same 1/256 pixel grid"));
+  EXPECT_THAT(result.out, HasSubstr("frame 0, 32x18, fp64 with vertices where they truly are"));
+  EXPECT_THAT(result.out, HasSubstr("colour, in spacings of half"));
+  EXPECT_THAT(result.out, HasSubstr("Z, in spacings of float"));
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+}
+
+TEST_F(Compare, JsonHasEveryFrameAndObject) {
+  const ToolResult result = compare({"--frames", "1-3x2", "--truth", "grid", "--json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  ASSERT_EQ(result.out_lines().size(), 4u) << result.out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const json line = json::parse(result.out_lines()[i]);
+    EXPECT_EQ(line.at("type"), i % 2 == 0 ? "frame_error" : "object_error");
+    EXPECT_EQ(line.at("frame"), i < 2 ? 1 : 3);
+    EXPECT_EQ(line.at("truth"), "grid");
+    EXPECT_GT(line.at("pixels"), 50);
+    EXPECT_GT(line.at("color_storage_max"), 0);
+    EXPECT_LE(line.at("color_spacings_storage_max"), 0.5);
+    EXPECT_LT(line.at("color_arithmetic_max"), 1e-5);
+    EXPECT_LT(line.at("depth_arithmetic_max"), 1e-4);
+  }
+}
+
+TEST_F(Compare, WritesPicturesAndATable) {
+  const ToolResult result = compare({"--frame", "2", "--out", "error"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const std::set<std::string> expected = {"shot.toml",
+                                          "error/shot.csv",
+                                          "error/shot.0002.grid.exr",
+                                          "error/shot.0002.grid.png",
+                                          "error/shot.0002.true.exr",
+                                          "error/shot.0002.true.png"};
+  EXPECT_EQ(files(), expected);
+  const ToolResult info = run_tool({"info", path("error/shot.0002.true.exr")});
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("mask"));
+  const std::string table = read_file(path("error/shot.csv"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5) << "header; frame and object of both truths";
+}
+
+TEST_F(Compare, ShotsWithoutColorAreComparedByDepth) {
+  const ToolResult result = compare({"--channels", "Z", "--truth", "grid"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Z, relative"));
+  EXPECT_THAT(result.out, Not(HasSubstr("colour")));
+}
+
+TEST_F(Compare, RefusesWhatItCannotDo) {
+  expect_one_line_error(compare({"--frame", "1", "--frames", "1-3"}), 2, "--frame");
+  expect_one_line_error(compare({"--frames", "3-1"}), 2, "3-1");
+  expect_one_line_error(compare({"--frames", "1:3"}), 2, ":");
+  expect_one_line_error(compare({"--frame", "9999999"}), 2, "9999999");
+  expect_one_line_error(compare({"--truth", "exact"}), 2, "--truth");
+  expect_one_line_error(compare({"--size", "16384x16384"}), 2, "8192 x 8192");
+  expect_one_line_error(compare({"--device", "abacus"}), 2, "--device");
+  expect_one_line_error(compare({"--out", "shot.toml"}), 73, "shot.toml");
+  expect_one_line_error(run_tool({"compare", path("missing.toml")}), 66, "missing.toml");
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test
