@@ -32,6 +32,7 @@ struct Node {
 struct WeightTrack {
   int first_target = 0;  // the track's width() components drive targets first_target, first_target + 1, ...
   Track track;
+  bool operator==(const WeightTrack&) const = default;
 };
 struct MorphWeights {
   std::vector<double> weights;  // one a target of the object's mesh; the value where no track drives it

@@ -39,6 +39,7 @@ class Track {
   static Track on_spring(const Spring& spring, Interpolation follows, int width, bool rotation,
                          std::int64_t ticks_per_second, std::vector<std::int64_t> ticks, std::vector<double> values);
 
+  bool operator==(const Track&) const = default;
   bool empty() const { return ticks_.empty(); }
   int width() const { return width_; }
   bool is_rotation() const { return rotation_; }

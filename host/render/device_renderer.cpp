@@ -56,7 +56,7 @@ class DeviceRenderer : public Renderer {
         frame.has_depth() != plan.depth)
       throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
     depth_format_ = plan.depth_buffer.format;
-    if (meshes_.require(plan)) kept_.forget();
+    if (meshes_.require(plan)) kept_.forget_meshes(), tables_.origin = {}, uploaded_origin_ = {};
     make_frame_tables(plan, meshes_, frame.row_pitch(), tables_);
     const FramePlanes planes = planes_.planes(frame);
     layout::FrameConstants constants = tables_.frame;
@@ -107,20 +107,24 @@ class DeviceRenderer : public Renderer {
   };
 
   void upload_tables() {
-    draws_.update(queue(), tables_.draws);
     targets_.update(queue(), tables_.targets);
     lights_.update(queue(), tables_.lights);
+    if (tables_.origin.version != 0 && tables_.origin == uploaded_origin_) return;
+    uploaded_origin_ = {};
+    draws_.update(queue(), tables_.draws);
     const auto place_of = [](const layout::DrawConstants& draw) {
       return std::array{draw.group_count, draw.block_count, draw.first_position};
     };
     std::vector<std::array<uint, 3>> places(tables_.draws.size());
     std::transform(tables_.draws.begin(), tables_.draws.end(), places.begin(), place_of);
-    if (places == uploaded_places_) return;
-    uploaded_places_.clear();
-    group_draw_.update(queue(), draw_of_groups(tables_.draws));
-    block_draw_.update(queue(), draw_of_blocks(tables_.draws));
-    position_draw_.update(queue(), draw_of_positions(tables_.draws));
-    uploaded_places_ = std::move(places);
+    if (places != uploaded_places_) {
+      uploaded_places_.clear();
+      group_draw_.update(queue(), draw_of_groups(tables_.draws));
+      block_draw_.update(queue(), draw_of_blocks(tables_.draws));
+      position_draw_.update(queue(), draw_of_positions(tables_.draws));
+      uploaded_places_ = std::move(places);
+    }
+    uploaded_origin_ = tables_.origin;
   }
 
   // Chunks are a matter of load only: enough of them for the threads to share, each big enough to be worth its bins.
@@ -277,6 +281,7 @@ class DeviceRenderer : public Renderer {
   DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
       position_draw_{session_->context()}, changed_chunks_{session_->context()};
   std::vector<std::array<uint, 3>> uploaded_places_;  // of each draw, as the three tables have them
+  DrawsOrigin uploaded_origin_;
   SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_color_ = buffer(),
                vertex_status_ = buffer();
   SharedBuffer clip_source_ = buffer(), clip_count_ = buffer(), clip_weights_ = buffer();

@@ -116,6 +116,45 @@ void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<l
   }
 }
 
+void add_targets(const Draw& draw, const StoredMesh& mesh, std::vector<layout::TargetConstants>& targets) {
+  for (const ActiveTarget& active : draw.targets) {
+    const StoredMesh::Target& target = mesh.targets[active.target];
+    targets.push_back({active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
+  }
+}
+
+void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
+  tables.draws.clear(), tables.targets.clear();
+  tables.any_flat = tables.any_smooth = tables.any_colors = false;
+  tables.only_faces = true;
+  std::vector<std::pair<float, uint>> distances;
+  distances.reserve(plan.draws.size());
+  const Mesh* drawn = nullptr;
+  const StoredMesh* mesh = nullptr;
+  for (const Draw& draw : plan.draws) {
+    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
+    tables.draws.push_back(make_draw_constants(draw, *mesh, tables));
+    add_targets(draw, *mesh, tables.targets);
+    tables.any_flat |= draw.shading == Shading::flat;
+    tables.any_smooth |= draw.shading == Shading::smooth;
+    tables.any_colors |= draw.vertex_colors;
+    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors;
+  }
+  order_by_distance(distances, tables.draws);
+}
+
+void renew_targets(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
+  tables.targets.clear();
+  const Mesh* drawn = nullptr;
+  const StoredMesh* mesh = nullptr;
+  for (const Draw& draw : plan.draws) {
+    if (draw.targets.empty()) continue;
+    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    add_targets(draw, *mesh, tables.targets);
+  }
+}
+
 template <uint layout::DrawConstants::*count>
 std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
   std::vector<uint> numbers;
@@ -127,31 +166,18 @@ std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& dra
 }  // namespace
 
 void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables) {
-  tables.draws.clear(), tables.targets.clear(), tables.lights.clear();
-  tables.any_flat = tables.any_smooth = tables.any_colors = false;
-  std::vector<std::pair<float, uint>> distances;
-  distances.reserve(plan.draws.size());
-  const Mesh* drawn = nullptr;
-  const StoredMesh* mesh = nullptr;
-  for (const Draw& draw : plan.draws) {
-    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
-    distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
-    tables.draws.push_back(make_draw_constants(draw, *mesh, tables));
-    for (const ActiveTarget& active : draw.targets) {
-      const StoredMesh::Target& target = mesh->targets[active.target];
-      tables.targets.push_back(
-          {active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
-    }
-    tables.any_flat |= draw.shading == Shading::flat;
-    tables.any_smooth |= draw.shading == Shading::smooth;
-    tables.any_colors |= draw.vertex_colors;
+  const DrawsOrigin origin{plan.planner, plan.draws_version};
+  if (origin.version != 0 && tables.origin == origin) {
+    renew_targets(plan, meshes, tables);
+  } else {
+    tables.origin = {};
+    make_draws(plan, meshes, tables);
+    tables.origin = origin;
   }
-  order_by_distance(distances, tables.draws);
+  tables.lights.clear();
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, row_pitch);
-  tables.frame.only_faces = std::all_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) {
-    return draw.shading == Shading::flat && !draw.vertex_colors;
-  });
+  tables.frame.only_faces = tables.only_faces;
   if (!tables.draws.empty()) {
     const layout::DrawConstants& last = tables.draws.back();
     tables.frame.group_count = last.first_group + last.group_count;

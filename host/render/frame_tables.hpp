@@ -10,16 +10,25 @@
 
 namespace morphcl {
 
+// Which draws a table holds; none is known for `version` 0.
+struct DrawsOrigin {
+  std::uint64_t planner = 0, version = 0;
+  bool operator==(const DrawsOrigin&) const = default;
+};
+
 struct FrameTables {
+  DrawsOrigin origin;
   std::vector<layout::DrawConstants> draws;
   std::vector<layout::TargetConstants> targets;
   std::vector<layout::LightConstants> lights;
   layout::FrameConstants frame{};  // without what depends on pools and chunks, which the renderer fills in
   bool any_flat = false, any_smooth = false, any_colors = false;
+  bool only_faces = true;  // every draw is flat and without vertex colours
 };
 
-// Replaces `tables`, whose memory is used again. Error(bad_input) when the frame has more vertices or primitives than
-// ids can number.
+// Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must
+// still be stored where they were, or `origin` be cleared. Error(bad_input) when the frame has more vertices or
+// primitives than ids can number.
 void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables);
 
 // For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.

@@ -49,6 +49,8 @@ struct FramePlan {
   int width = 0, height = 0;
   bool color = true, depth = true;
   std::vector<Draw> draws;
+  // Not 0: plans of one planner with the same number have the same draws, but for their targets' weights.
+  std::uint64_t draws_version = 0;
   std::vector<EyeLight> lights;
   std::array<float, 3> ambient{};
   bool parallel = false;              // parallel projectors: w is 1 everywhere

@@ -100,6 +100,23 @@ TEST_P(KeptFrame, AnotherPlannersMeshesAreNotTakenForThese) {
   expect_parity(planner, 3, buffer);
 }
 
+// The list of draws stays, and the renderer leaves its tables as they are but for the targets.
+TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
+  SceneBuilder builder(width, height);
+  builder.look({3, 2, 6});
+  for (int i = 0; i < 3; ++i) {
+    builder.add(make_pyramid_to_cube(), GetParam(), place({i - 2.0, -0.5, 0}, 0.01) * place({-100, -100, -65}));
+    scene_ = builder.scene();
+  }
+  Timeline& timeline = scene_.timeline;
+  timeline.weights[0].tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 1, 1, 0, 0.25})});
+  timeline.weights[2].tracks.push_back({0, steps(timeline, 1, {0.5, 1, 0, 1, 1, 0, 0})});
+  const Planner planner(scene_);
+  FrameBuffer buffer(width, height, true, true);
+  for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
+    expect_parity(planner, frame, buffer);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shadings, KeptFrame, ::testing::Values(Shading::flat, Shading::smooth, Shading::wireframe));
 
 TEST(BlankTiles, AreThoseThatHoldTheBackground) {

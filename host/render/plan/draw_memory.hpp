@@ -2,6 +2,8 @@
 // they were.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "host/render/plan.hpp"
@@ -22,16 +24,27 @@ class DrawMemory {
     if (!(view == view_)) draws_.clear();
     view_ = view, at_ = 0, missed_ = false;
   }
-  // The draw that an object had under this view, or null. Objects are asked for in ascending order.
+  // The draw that an object whose node is still had under this view, or null. Objects are asked for in ascending order.
   const Draw* find(std::uint32_t object) {
     while (at_ < draws_.size() && draws_[at_].object < object) ++at_;
     if (at_ < draws_.size() && draws_[at_].object == object) return &draws_[at_];
     missed_ = true;
     return nullptr;
   }
-  // The frame's draws, to be found in the next one; those of the frame before do where none was missed.
-  void remember(const std::vector<Draw>& draws) {
-    if (missed_) draws_ = draws;
+  // The frame has another draw than the one that was found.
+  void replace() { missed_ = true; }
+  // Takes those of the frame's draws whose node is still, to be found in the next one. Returns the frame's number for
+  // FramePlan::draws_version.
+  template <class IsStill>
+  std::uint64_t remember(const std::vector<Draw>& draws, const IsStill& is_still) {
+    const auto still = static_cast<std::size_t>(std::count_if(draws.begin(), draws.end(), is_still));
+    const bool same = !missed_ && still == draws_.size();
+    if (!same) {
+      draws_.clear();
+      std::copy_if(draws.begin(), draws.end(), std::back_inserter(draws_), is_still);
+    }
+    if (!same || still != draws.size()) ++version_;
+    return version_;
   }
 
  private:
@@ -39,6 +52,7 @@ class DrawMemory {
   std::vector<Draw> draws_;
   std::size_t at_ = 0;
   bool missed_ = false;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace morphcl

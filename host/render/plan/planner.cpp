@@ -14,6 +14,7 @@
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
+#include "host/render/plan/shared_weights.hpp"
 #include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/view_volume.hpp"
 
@@ -46,7 +47,7 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
 struct ObjectFacts {
   int mesh, node;
   bool has_primitives;
-  bool is_still;  // its node never moves
+  bool is_still;  // its node never moves and it is no elastic body: only its weights may change
   bool morphs;    // some weight has a track
 };
 
@@ -56,7 +57,8 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     facts.push_back({object.mesh, object.node, has_primitives(object, scene.meshes[object.mesh]),
-                     nodes.is_still(object.node), !scene.timeline.weights[i].tracks.empty()});
+                     nodes.is_still(object.node) && !scene.timeline.weights[i].elastic,
+                     !scene.timeline.weights[i].tracks.empty()});
   }
   return facts;
 }
@@ -67,6 +69,11 @@ BoundedBox bounded(const Box& box) {
 
 // Parallel projections have the last row 0 0 0 1: w is exactly 1 at every vertex.
 bool divides_by_w(const Draw& draw) { return draw.object_to_clip[3] != Row{0.0f, 0.0f, 0.0f, 1.0f}; }
+
+bool same_targets(const ActiveTargets& a, const ActiveTargets& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const ActiveTarget& x, const ActiveTarget& y) { return x.target == y.target; });
+}
 
 void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FramePlan& plan) {
   plan.parallel = volume.parallel;
@@ -97,7 +104,8 @@ struct Planner::Impl {
         meshes(bounds_of_meshes(s)),
         nodes(s.timeline.nodes),
         tree(bounds_over_time(s, meshes, nodes)),
-        facts(facts_of_objects(s, nodes)) {}
+        facts(facts_of_objects(s, nodes)),
+        weights(s) {}
 
   FramePlan plan(std::int64_t frame);
 
@@ -106,7 +114,6 @@ struct Planner::Impl {
   void add_light(const LightState& light, FramePlan& plan) const;
   void add_draws(const ViewVolume& volume, FramePlan& plan);
   void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
-  const std::vector<double>& weights_of(std::size_t object);  // stands until the next call
 
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};
@@ -124,7 +131,7 @@ struct Planner::Impl {
   const std::vector<ObjectFacts> facts;
   ObjectTree::InView in_view;
   DrawMemory memory;
-  std::vector<double> weights;
+  SharedWeights weights;
   std::size_t drawn_before = 0;
   std::int64_t tick = 0;
 };
@@ -161,34 +168,28 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
   const ObjectFacts& object = facts[object_index];
   if (!object.has_primitives || !nodes.is_visible(object.node)) return;
   const bool inside = in_view.inside.contains(object_index);
+  const Draw* before = object.is_still ? memory.find(static_cast<std::uint32_t>(object_index)) : nullptr;
+  const std::vector<double>& targets = weights.of(object_index, tick);
+  glm::dmat4 object_to_eye, object_to_clip;
+  if (!before || !inside) {
+    object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
+    object_to_clip = volume.eye_to_clip * object_to_eye;
+  }
   // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
-  if (inside && object.is_still)
-    if (const Draw* before = memory.find(static_cast<std::uint32_t>(object_index))) {
-      Draw& draw = plan.draws.emplace_back(*before);
-      if (object.morphs) set_targets(weights_of(object_index), !options.idle_targets, draw);
-      return;
-    }
-  const glm::dmat4 object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
-  const glm::dmat4 object_to_clip = volume.eye_to_clip * object_to_eye;
-  const std::vector<double>& targets = weights_of(object_index);
   if (!inside) {
     const BoundedBox box = bounded(meshes[object.mesh].at(targets));
     if (options.objects_out_of_view && HalfSpaces(volume.view, object_to_clip).side(box) == Side::outside) return;
     plan.clips = plan.clips || HalfSpaces(volume.clip, object_to_clip).side(box) != Side::inside;
   }
   try {
-    Draw& draw = plan.draws.emplace_back();
-    make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
-    set_targets(targets, !options.idle_targets, draw);
+    Draw& draw = before ? plan.draws.emplace_back(*before) : plan.draws.emplace_back();
+    if (!before) make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
+    if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
+    if (before && !same_targets(draw.targets, before->targets)) memory.replace();
   } catch (const Error& error) {
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("object \"{}\": {}", scene.objects[object_index].name, error.message()));
   }
-}
-
-const std::vector<double>& Planner::Impl::weights_of(std::size_t object) {
-  evaluate_weights(scene.timeline.weights[object], tick, weights);
-  return weights;
 }
 
 void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
@@ -202,7 +203,7 @@ void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
     in_view.inside.clear(scene.objects.size());
     for (std::size_t object = 0; object < scene.objects.size(); ++object) add_draw(object, volume, plan);
   }
-  memory.remember(plan.draws);
+  plan.draws_version = memory.remember(plan.draws, [this](const Draw& draw) { return facts[draw.object].is_still; });
   drawn_before = plan.draws.size();
 }
 
