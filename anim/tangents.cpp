@@ -25,6 +25,11 @@ double limited_tangent(const Interval& before, const Interval& after) {
   return std::clamp(parabola_tangent(before, after), -limit, limit);
 }
 
+// Frame numbers like 0.1, 0.2, 0.3 are even but for their rounding.
+bool is_even(const Interval& before, const Interval& after) {
+  return std::abs(after.time - before.time) <= 1e-9 * (before.time + after.time);
+}
+
 template <typename Inner>
 std::vector<double> tangents(std::span<const double> times, std::span<const double> values, Inner inner) {
   const auto interval = [&](std::size_t i) {
@@ -42,7 +47,7 @@ std::vector<double> tangents(std::span<const double> times, std::span<const doub
 
 std::vector<double> default_tangents(std::span<const double> times, std::span<const double> values) {
   return tangents(times, values, [&](std::size_t i, const Interval& before, const Interval& after) {
-    if (before.time == after.time) return (values[i + 1] - values[i - 1]) / (times[i + 1] - times[i - 1]);
+    if (is_even(before, after)) return (values[i + 1] - values[i - 1]) / (times[i + 1] - times[i - 1]);
     return limited_tangent(before, after);
   });
 }

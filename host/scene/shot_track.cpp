@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "anim/tangents.hpp"
 #include "host/scene/frame_range.hpp"
 #include "host/scene/nearest_name.hpp"
 #include "host/scene/rotation_keys.hpp"
@@ -94,13 +95,14 @@ std::vector<TrackKey> read_keys(const ShotValue& list, KeyValue kind, Interpolat
   return keys;
 }
 
-// The slope from the key before to the key after, at the ends from or to the key itself.
-void set_catmull_rom_tangents(std::vector<TrackKey>& keys) {
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const TrackKey &before = keys[i == 0 ? 0 : i - 1], &after = keys[i + 1 == keys.size() ? i : i + 1];
-    for (std::size_t c = 0; c < keys[i].value.size(); ++c)
-      keys[i].in_tangent[c] = (after.value[c] - before.value[c]) / (after.frame - before.frame);
-    keys[i].out_tangent = keys[i].in_tangent;
+void set_default_tangents(std::vector<TrackKey>& keys, std::size_t components) {
+  std::vector<double> frames, values(keys.size());
+  frames.reserve(keys.size());
+  for (const TrackKey& key : keys) frames.push_back(key.frame);
+  for (std::size_t c = 0; c < components; ++c) {
+    for (std::size_t i = 0; i < keys.size(); ++i) values[i] = keys[i].value[c];
+    const std::vector<double> tangents = default_tangents(frames, values);
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i].in_tangent[c] = keys[i].out_tangent[c] = tangents[i];
   }
 }
 
@@ -165,7 +167,7 @@ Track TrackReader::read(const ShotTable& track, KeyValue kind, double factor) {
   }
   if (cubic && !keys[0].has_tangents) {
     if (rotation) align_signs(keys);
-    set_catmull_rom_tangents(keys);
+    set_default_tangents(keys, width(kind));
   }
 
   std::vector<std::int64_t> ticks;

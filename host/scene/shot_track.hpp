@@ -32,8 +32,8 @@ class TrackReader {
   // Values and tangents are multiplied by `factor`.
   //
   // Keys are [frame, value]; cubic ones are [frame, value, in_tangent, out_tangent] with tangents as change per frame,
-  // or all of them [frame, value]: then the tangents are those of Catmull and Rom, the slope between a key's two
-  // neighbours, at the ends the slope to the only neighbour. A spring follows keys of the kind that `follows` names.
+  // or all of them [frame, value]: then the tangents are default_tangents(): those of Catmull and Rom where keys are
+  // evenly spaced, limited ones elsewhere. A spring follows keys of the kind that `follows` names.
   // Rotations: see rotation_keys.hpp.
   Track read(const ShotTable& track, KeyValue kind, double factor = 1);
 

@@ -106,27 +106,33 @@ TEST(ExtremeCase, LengthOfHugeAndTinyVectors) {
 // Rising values with keys that nearly coincide: the curve stays between the keys around it.
 TEST(ExtremeCase, HermiteWithNearlyCoincidentKeys) {
   const std::vector<double> frames = {0, 1, 1 + 1e-6, 2, 2.5}, values = {0, 1, 1.5, 2, 2.25};
-  const std::vector<double> tangents = monotone_tangents(frames, values);
   std::vector<std::int64_t> ticks;
-  std::vector<double> keys;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    ticks.push_back(static_cast<std::int64_t>(std::llround(frames[i] * 1e6)));
-    keys.insert(keys.end(), {tangents[i], values[i], tangents[i]});
-  }
-  const Track track(Interpolation::cubic, 1, false, 1'000'000, ticks, keys);
+  for (const double frame : frames) ticks.push_back(static_cast<std::int64_t>(std::llround(frame * 1e6)));
   Worst stable, naive_form;
-  for (std::size_t key = 0; key + 1 < frames.size(); ++key)
-    for (int i = 0; i <= 200; ++i) {
-      const std::int64_t tick = ticks[key] + (ticks[key + 1] - ticks[key]) * i / 200;
-      const auto in_hull = [&](double value) {
-        return value >= values[key] * (1 - 4 * u64) && value <= values[key + 1] * (1 + 4 * u64);
-      };
-      double value = 0;
-      track.evaluate(tick, &value);
-      stable.add_exact(in_hull(value));
-      naive_form.add_exact(in_hull(naive::hermite_by_differences(frames, values, static_cast<double>(tick) * 1e-6)));
-    }
+  for (const auto& tangents : {default_tangents(frames, values), monotone_tangents(frames, values)}) {
+    std::vector<double> keys;
+    for (std::size_t i = 0; i < frames.size(); ++i) keys.insert(keys.end(), {tangents[i], values[i], tangents[i]});
+    const Track track(Interpolation::cubic, 1, false, 1'000'000, ticks, keys);
+    for (std::size_t key = 0; key + 1 < frames.size(); ++key)
+      for (int i = 0; i <= 200; ++i) {
+        const std::int64_t tick = ticks[key] + (ticks[key + 1] - ticks[key]) * i / 200;
+        const auto in_hull = [&](double value) {
+          return value >= values[key] * (1 - 4 * u64) && value <= values[key + 1] * (1 + 4 * u64);
+        };
+        double value = 0;
+        track.evaluate(tick, &value);
+        stable.add_exact(in_hull(value));
+        naive_form.add_exact(in_hull(naive::hermite_by_differences(frames, values, static_cast<double>(tick) * 1e-6)));
+      }
+  }
   expect_demand(stable, naive_form);
+}
+
+// Evenly spaced keys have the tangents of Catmull and Rom, whatever their values.
+TEST(Tangents, OfEvenKeysAreCatmullRoms) {
+  const std::vector<double> frames = {0, 0.1, 0.2, 0.30000000000000004, 0.4}, values = {0, 0, 5, -1, 2};
+  const std::vector<double> tangents = default_tangents(frames, values), expected = {0, 25, -5, -15, 30};
+  for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_NEAR(tangents[i], expected[i], 1e-12) << i;
 }
 
 TEST(ExtremeCase, TimeOfTenMillionSeconds) {

@@ -61,6 +61,17 @@ TEST(ShotTrack, CubicWithoutTangentsIsCatmullRoms) {
   }
 }
 
+// Two keys a thousandth of a frame apart: their steep slope does not throw the curve out of their neighbourhood.
+TEST(ShotTrack, CubicThroughNearlyCoincidentKeysStaysBetweenThem) {
+  const Scene scene =
+      with_track("target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 0], [10, 1], [10.001, 2], [20, 3]]");
+  for (int frame = 0; frame <= 20; ++frame) {
+    const double weight = weight_at(scene, frame);
+    EXPECT_GE(weight, frame <= 10 ? 0 : 2) << "frame " << frame;
+    EXPECT_LE(weight, frame <= 10 ? 1 : 3) << "frame " << frame;
+  }
+}
+
 // Where the object's x axis points at a frame.
 glm::dvec3 x_axis_at(const Scene& scene, std::int64_t frame) {
   return glm::dvec3(evaluate(scene.timeline, frame).node_to_world[scene.objects[0].node] * glm::dvec4(1, 0, 0, 0));
