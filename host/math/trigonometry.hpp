@@ -6,8 +6,10 @@
 // leaves two doubles possible, a second one of more than 180 bits in integers (accurate_sine.hpp) decides. Arguments of
 // any size are reduced exactly (quarter_turns.hpp). The hardest arguments known need 53 + 68 bits; that no argument
 // needs 180 is not proved for sine, cosine and tangent of large numbers and for the arc tangent, but the chance that
-// one of them does is below 2^-50. Tests compare with MPFR; tests/math/count_misroundings.cpp states how many arguments
-// were tried.
+// one of them does is below 2^-50.
+//
+// Compared with MPFR (tests/math/count_misroundings.cpp): 20 million arguments each of sine, cosine, tangent and of the
+// arc tangents of x / 1, 1 / x and x / -3, one million each of sine and cosine of degrees; no miss.
 //
 // Special values are those that IEEE 754 recommends: NaN for infinite angles, -0 for -0, and for the arc tangent the
 // sign of y and the half-plane of x, zeros and infinities included.
