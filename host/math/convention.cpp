@@ -41,7 +41,7 @@ ForeignProjection projection_to(const Convention& convention, const glm::dmat4& 
   ForeignProjection result{own};
   glm::dmat4& m = result.matrix;
   if (convention.handedness == Handedness::left) negate_column(m, 2);
-  if (convention.depth == DepthRange::zero_to_one)
+  if (convention.depth == NdcDepth::zero_to_one)
     for (int column = 0; column < 4; ++column) {
       const Sum sum = two_sum(m[column][2], m[column][3]);
       m[column][2] = 0.5 * sum.rounded;
@@ -53,7 +53,7 @@ ForeignProjection projection_to(const Convention& convention, const glm::dmat4& 
 
 glm::dmat4 projection_from(const Convention& convention, const ForeignProjection& foreign) {
   glm::dmat4 m = convention.vectors == VectorForm::row ? glm::transpose(foreign.matrix) : foreign.matrix;
-  if (convention.depth == DepthRange::zero_to_one)
+  if (convention.depth == NdcDepth::zero_to_one)
     for (int column = 0; column < 4; ++column) {
       // z = (2h - w) + 2l. Where |w| >= |z| the difference is exact, else its error and 2l add up without rounding.
       const Sum difference = two_sum(2 * m[column][2], -m[column][3]);

@@ -18,12 +18,12 @@ enum class Handedness {
   right,  // looked along -z
   left,   // looked along +z: every z has the other sign, in the world and in eye space
 };
-enum class DepthRange { minus_one_to_one, zero_to_one };  // of NDC
+enum class NdcDepth { minus_one_to_one, zero_to_one };
 
 struct Convention {
   VectorForm vectors = VectorForm::column;
   Handedness handedness = Handedness::right;
-  DepthRange depth = DepthRange::minus_one_to_one;
+  NdcDepth depth = NdcDepth::minus_one_to_one;
 };
 
 // Lecture slides use five combinations: the first three and, for a z-buffer from 0 to 1, the last two.
@@ -31,9 +31,9 @@ inline constexpr Convention column_right_handed{};              // morphcl's own
 inline constexpr Convention row_right_handed{VectorForm::row};  // with the eye at (0, 0, d): see board_to_eye
 inline constexpr Convention row_left_handed{VectorForm::row, Handedness::left};
 inline constexpr Convention row_left_handed_zero_to_one{VectorForm::row, Handedness::left,
-                                                        DepthRange::zero_to_one};  // Direct3D
+                                                        NdcDepth::zero_to_one};  // Direct3D
 inline constexpr Convention column_right_handed_zero_to_one{VectorForm::column, Handedness::right,
-                                                            DepthRange::zero_to_one};
+                                                            NdcDepth::zero_to_one};
 
 // Affine maps between spaces that both change: object to world, world to eye.
 glm::dmat4 transform_to(const Convention& convention, const glm::dmat4& own);
