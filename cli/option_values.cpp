@@ -83,4 +83,15 @@ void set_compression(const std::string& name, ImageSettings& image) {
   image.compression = name;
 }
 
+void set_depth_buffer(const std::string& name, ImageSettings& image) {
+  const auto format = depth_format_named(name);
+  if (!format) {
+    std::vector<std::string_view> names;
+    for (const DepthFormat known : depth_formats) names.push_back(name_of(known));
+    throw Error(ErrorKind::usage, "--depth-buffer",
+                fmt::format("'{}' is no depth buffer; one of {}", name, fmt::join(names, ", ")));
+  }
+  image.depth_format = *format;
+}
+
 }  // namespace morphcl::cli

@@ -12,9 +12,10 @@ struct ImageSize {
   int width, height;
 };
 
-ImageSize parse_size(const std::string& text);                        // "1920x1080": 1 to 16384 each
-TimeBase parse_fps(const std::string& text);                          // "25" or "30000/1001": 1 to 1,000,000 each
-void set_channels(const std::string& list, ImageSettings& image);     // "RGBA", "Z" or "RGBA,Z"
-void set_compression(const std::string& name, ImageSettings& image);  // one of compression_names()
+ImageSize parse_size(const std::string& text);                         // "1920x1080": 1 to 16384 each
+TimeBase parse_fps(const std::string& text);                           // "25" or "30000/1001": 1 to 1,000,000 each
+void set_channels(const std::string& list, ImageSettings& image);      // "RGBA", "Z" or "RGBA,Z"
+void set_compression(const std::string& name, ImageSettings& image);   // one of compression_names()
+void set_depth_buffer(const std::string& name, ImageSettings& image);  // the name of one of depth_formats
 
 }  // namespace morphcl::cli

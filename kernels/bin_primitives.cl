@@ -44,9 +44,10 @@ kernel void project_light_and_bin(
     global uint* fragment_next, global ulong* fragment_keys, global ushort* fragment_places, global uint* entry_heads,
     global uint* entry_next, global uint* entry_triangles, global LargeTriangle* large, global ChunkStatus* status,
     global uint* overflow, global const LightConstants* lights, global int4* attributes, global int4* face_color,
-    global const uint* chunks, global const TargetConstants* targets, global const uint* group_draw,
+    global const uint* chunks, global const TargetConstants* targets, global const PreciseConstants* precise,
+    global const uint* group_draw,
     global const float* mesh_data, global int4* colors, global uint* vertex_status) {
-  project_chunk(0, frame, chunks, draws, targets, group_draw, mesh_data, vertices, attributes, colors, vertex_status);
+  project_chunk(0, frame, chunks, draws, targets, precise, group_draw, mesh_data, vertices, attributes, colors, vertex_status);
   light_chunk(0, frame, draws, block_draw, indices, lights, attributes, face_color);
   bin_chunk(0, frame, draws, block_draw, position_draw, indices, vertices, clip_source, clip_count, fragment_heads,
             fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles, large, status,

@@ -15,6 +15,8 @@
 #include "vector.h"
 #include "vertex.h"
 #include "depth_format.h"
+#include "two_float.h"
+#include "precise_vertices.h"
 
 typedef struct {
   float x, y, z, w;
@@ -63,11 +65,11 @@ kernel void count_clipped(constant const FrameConstants* frame, global const Dra
 
 // The source vertex in clip space. Sixteen lanes are loaded and one is kept: the arithmetic must be projection's own.
 static inline Corner source_corner(global const DrawConstants* draw, global const TargetConstants* targets,
+                                   global const PreciseConstants* precise,
                                    global const float* mesh_data, uint vertex, int number) {
   const uint at = vertex & ~(LANES - 1u), lane = vertex & (LANES - 1u);
   float16 x, y, z;
-  MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, x, y, z)
-  const ClipPoints p = to_clip(draw, x, y, z);
+  const ClipPoints p = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
   float field[LANES];
   Corner corner;
   vstore16(p.x, 0, field), corner.x = field[lane];
@@ -136,7 +138,8 @@ static inline int cut_by_plane(const Corner* in, int count, Corner* out, int pla
 
 COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restrict frame,
                               global const DrawConstants* restrict draws,
-                              global const TargetConstants* restrict targets, global const uint* restrict block_draw,
+                              global const TargetConstants* restrict targets,
+                              global const PreciseConstants* restrict precise, global const uint* restrict block_draw,
                               global const uint* restrict indices, global const float* restrict mesh_data,
                               global int4* restrict vertices, global const ChunkStatus* restrict status,
                               global uint* restrict clip_source, global uint* restrict clip_count,
@@ -159,7 +162,7 @@ COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restric
       Corner corners[CLIP_VERTICES], scratch[CLIP_VERTICES];
       int count = draw->flags & DRAW_LINES ? 2 : 3;
       for (int i = 0; i < count; i++)
-        corners[i] = source_corner(draw, targets, mesh_data, record[i] - draw->first_group * LANES, i);
+        corners[i] = source_corner(draw, targets, precise, mesh_data, record[i] - draw->first_group * LANES, i);
       for (int plane = 0; plane < 5 && count > 0; plane++) {
         count = cut_by_plane(corners, count, scratch, plane, frame);
         for (int i = 0; i < count; i++) corners[i] = scratch[i];
@@ -181,10 +184,11 @@ COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restric
 }
 
 kernel void clip_primitives(constant const FrameConstants* frame, global const DrawConstants* draws,
-                            global const TargetConstants* targets, global const uint* block_draw,
+                            global const TargetConstants* targets, global const PreciseConstants* precise,
+                            global const uint* block_draw,
                             global const uint* indices, global const float* mesh_data, global int4* vertices,
                             global const ChunkStatus* status, global uint* clip_source, global uint* clip_count,
                             global float4* clip_weights) {
-  clip_chunk((uint)get_global_id(0), frame, draws, targets, block_draw, indices, mesh_data, vertices, status,
+  clip_chunk((uint)get_global_id(0), frame, draws, targets, precise, block_draw, indices, mesh_data, vertices, status,
              clip_source, clip_count, clip_weights);
 }

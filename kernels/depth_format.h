@@ -5,12 +5,12 @@
 #define MORPHCL_DEPTH_FORMAT_H
 
 #include "raster.h"
+#include "two_float.h"
 
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
 #include "reversed_depth.h"
 #else
 #define FORWARD_DEPTH
-#include "two_float.h"
 #include "forward_depth.h"
 #endif
 

@@ -50,6 +50,8 @@
 #define DRAW_SMOOTH 8u         // normals are interpolated and lit per pixel
 #define DRAW_FLAT 16u          // one irradiance a face
 #define DRAW_VERTEX_COLORS 32u
+#define DRAW_PIVOT 64u         // vertices are computed relative to a pivot, which the matrices have taken in
+#define DRAW_TWO_FLOAT 128u    // vertices are computed in two floats
 
 typedef struct {
   float object_to_clip[4][4];  // rows x, y, depth, w; entry 3 is the constant
@@ -69,7 +71,13 @@ typedef struct {
   uint index_pitch;
   uint first_target;     // into the table of active targets
   uint target_count;
+  uint precise;          // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
 } DrawConstants;
+
+typedef struct {
+  float pivot[4];
+  float clip_rest[4][4];  // what rounding took from object_to_clip
+} PreciseConstants;
 
 typedef struct {
   float weight;       // of the target
@@ -77,7 +85,8 @@ typedef struct {
   uint positions;     // float index in the mesh data, or NO_ID: does not move them
   uint normals;
   uint colors;
-  uint pad[3];
+  float weight_rest;  // what rounding took from the weight; of draws with DRAW_TWO_FLOAT
+  uint pad[2];
 } TargetConstants;
 
 typedef struct {

@@ -1,6 +1,6 @@
 // project_vertices: morph, transform and snap vertices, and make the attributes that shading needs.
 //
-// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, the draw of each vertex group,
+// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the draw of each vertex group,
 //      the numbers of the chunks that changed since the frame before.
 // Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w}; {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
@@ -16,6 +16,8 @@
 #include "vector.h"
 #include "vertex.h"
 #include "depth_format.h"
+#include "two_float.h"
+#include "precise_vertices.h"
 
 // Unit length; a normal that morphing cancelled (shorter than 2^-10) is replaced by the fallback.
 static inline void normalize_or(float16* x, float16* y, float16* z, float16 fallback_x, float16 fallback_y, float16 fallback_z) {
@@ -56,7 +58,8 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
 
 COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* restrict frame,
                                  global const uint* restrict chunks, global const DrawConstants* restrict draws,
-                                 global const TargetConstants* restrict targets, global const uint* restrict group_draw,
+                                 global const TargetConstants* restrict targets,
+                                 global const PreciseConstants* restrict precise, global const uint* restrict group_draw,
                                  global const float* restrict mesh_data, global int4* restrict vertices,
                                  global int4* restrict attributes, global int4* restrict colors,
                                  global uint* restrict status) {
@@ -69,8 +72,7 @@ COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* rest
     const size_t record = (size_t)group * LANES;
 
     float16 x, y, z;
-    MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, x, y, z)
-    const ClipPoints clip = to_clip(draw, x, y, z);
+    const ClipPoints clip = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
     const int16 code = outcode(clip, frame);
     const int16 outside = code != 0;
     any_outside |= outside;

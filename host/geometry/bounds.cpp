@@ -65,6 +65,7 @@ MorphBounds::MorphBounds(const Mesh& mesh) : base_(box_of(mesh.positions)) {
   targets_.reserve(mesh.targets.size());
   for (const MorphTarget& target : mesh.targets) {
     Target bounds;
+    bounds.absolute = target.form == TargetForm::absolute;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const glm::dvec3 base(mesh.positions[i]);
       if (target.positions.empty()) {
@@ -110,6 +111,17 @@ Box MorphBounds::at(const std::vector<double>& weights) const {
 
 Box MorphBounds::at(const std::vector<Interval>& weights) const {
   return at_intervals(weights.size(), [&](std::size_t i) { return weights[i]; });
+}
+
+glm::dvec3 MorphBounds::terms(const std::vector<double>& weights, const glm::dvec3& pivot) const {
+  const auto relative = [&](const Box& box) { return magnitude({box.lower - pivot, box.upper - pivot}); };
+  glm::dvec3 sum = relative(base_);
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const Target& target = targets_[i];
+    sum += std::abs(weights[i]) *
+           (target.absolute ? relative(target.positions) + relative(base_) : magnitude(target.deltas));
+  }
+  return sum;
 }
 
 }  // namespace morphcl

@@ -56,9 +56,14 @@ class MorphBounds {
   // renderer's sum of n + 1 products: (n + 2) ulp of the largest sum of magnitudes.
   Box at(const std::vector<Interval>& weights) const;
 
+  // Bounds the magnitudes that a morphed vertex relative to `pivot` adds up: |base - pivot| and for every target
+  // |weight| times its delta, or if it is absolute that of its position and the base's, both relative to the pivot.
+  glm::dvec3 terms(const std::vector<double>& weights, const glm::dvec3& pivot) const;
+
  private:
   struct Target {
     Box positions, deltas;
+    bool absolute = false;
   };
   template <class IntervalOf>
   Box at_intervals(std::size_t count, IntervalOf interval_of) const;

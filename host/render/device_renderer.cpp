@@ -108,6 +108,7 @@ class DeviceRenderer : public Renderer {
 
   void upload_tables() {
     targets_.update(queue(), tables_.targets);
+    precise_.update(queue(), tables_.precise);
     lights_.update(queue(), tables_.lights);
     if (tables_.origin.version != 0 && tables_.origin == uploaded_origin_) return;
     uploaded_origin_ = {};
@@ -207,8 +208,8 @@ class DeviceRenderer : public Renderer {
     };
     if (at_once)
       launch_bins("project_light_and_bin", lights_.buffer(), attributes_.buffer(), face_color_.buffer(),
-                  changed_chunks_.buffer(), targets_.buffer(), group_draw_.buffer(), meshes_.mesh_data(),
-                  colors_.buffer(), vertex_status_.buffer());
+                  changed_chunks_.buffer(), targets_.buffer(), precise_.buffer(), group_draw_.buffer(),
+                  meshes_.mesh_data(), colors_.buffer(), vertex_status_.buffer());
     else if (changes.faces)
       launch_bins("light_and_bin_primitives", lights_.buffer(), attributes_.buffer(), face_color_.buffer());
     else
@@ -217,8 +218,9 @@ class DeviceRenderer : public Renderer {
 
   void project(uint changed_chunks) {
     launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changed_chunks), cl::NDRange(1),
-           frame_.buffer(), changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), group_draw_.buffer(),
-           meshes_.mesh_data(), vertices_.buffer(), attributes_.buffer(), colors_.buffer(), vertex_status_.buffer());
+           frame_.buffer(), changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), precise_.buffer(),
+           group_draw_.buffer(), meshes_.mesh_data(), vertices_.buffer(), attributes_.buffer(), colors_.buffer(),
+           vertex_status_.buffer());
   }
 
   void clip(const layout::FrameConstants& constants) {
@@ -227,8 +229,8 @@ class DeviceRenderer : public Renderer {
            block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(),
            vertex_chunks(constants), status_.buffer());
     launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-           targets_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(), vertices_.buffer(),
-           status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
+           targets_.buffer(), precise_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(),
+           vertices_.buffer(), status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
   }
 
   // From the bins to the pixels.
@@ -278,6 +280,7 @@ class DeviceRenderer : public Renderer {
   DeviceTable<layout::DrawConstants> draws_{session_->context()};
   DeviceTable<layout::TargetConstants> targets_{session_->context()};
   DeviceTable<layout::LightConstants> lights_{session_->context()};
+  DeviceTable<layout::PreciseConstants> precise_{session_->context()};
   DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
       position_draw_{session_->context()}, changed_chunks_{session_->context()};
   std::vector<std::array<uint, 3>> uploaded_places_;  // of each draw, as the three tables have them

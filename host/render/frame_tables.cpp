@@ -19,6 +19,15 @@ void copy(const std::array<float, N>& from, float* to) {
   std::copy(from.begin(), from.end(), to);
 }
 
+VertexForm form_of(const Draw& draw) { return draw.accuracy ? draw.accuracy->form : VertexForm::plain; }
+
+layout::PreciseConstants make_precise_constants(const VertexAccuracy& accuracy) {
+  layout::PreciseConstants constants{};
+  copy(accuracy.pivot, constants.pivot);
+  for (int row = 0; row < 4; ++row) copy(accuracy.clip_rest[row], constants.clip_rest[row]);
+  return constants;
+}
+
 uint draw_flags(const Draw& draw) {
   uint flags = 0;
   if (draw.shading == Shading::wireframe) flags |= DRAW_LINES;
@@ -27,6 +36,8 @@ uint draw_flags(const Draw& draw) {
   if (draw.double_sided) flags |= DRAW_DOUBLE_SIDED;
   if (draw.mirrored) flags |= DRAW_MIRRORED;
   if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
+  if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
+  if (form_of(draw) == VertexForm::two_float) flags |= DRAW_TWO_FLOAT;
   return flags;
 }
 
@@ -55,6 +66,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   constants.indices = primitives.indices, constants.index_pitch = primitives.pitch;
   constants.first_target = static_cast<uint>(tables.targets.size());
   constants.target_count = static_cast<uint>(draw.targets.size());
+  constants.precise = static_cast<uint>(tables.precise.size());
   return constants;
 }
 
@@ -101,7 +113,9 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
 // How far a draw's middle lies from the eye, in any unit.
 float distance_of(const Draw& draw, const StoredMesh& mesh, bool parallel) {
   const Row& row = draw.object_to_clip[parallel ? 2 : 3];
-  const float along = row[0] * mesh.middle.x + row[1] * mesh.middle.y + row[2] * mesh.middle.z + row[3];
+  glm::vec3 middle = mesh.middle;
+  if (draw.accuracy) middle -= glm::vec3(draw.accuracy->pivot[0], draw.accuracy->pivot[1], draw.accuracy->pivot[2]);
+  const float along = row[0] * middle.x + row[1] * middle.y + row[2] * middle.z + row[3];
   const float distance = parallel ? -along : along;
   return std::isnan(distance) ? 0.0f : distance;
 }
@@ -119,12 +133,13 @@ void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<l
 void add_targets(const Draw& draw, const StoredMesh& mesh, std::vector<layout::TargetConstants>& targets) {
   for (const ActiveTarget& active : draw.targets) {
     const StoredMesh::Target& target = mesh.targets[active.target];
-    targets.push_back({active.weight, active.base_weight, target.positions, target.normals, target.colors, {}});
+    targets.push_back(
+        {active.weight, active.base_weight, target.positions, target.normals, target.colors, active.weight_rest, {}});
   }
 }
 
 void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
-  tables.draws.clear(), tables.targets.clear();
+  tables.draws.clear(), tables.targets.clear(), tables.precise.clear();
   tables.any_flat = tables.any_smooth = tables.any_colors = false;
   tables.only_faces = true;
   std::vector<std::pair<float, uint>> distances;
@@ -136,6 +151,7 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
     distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
     tables.draws.push_back(make_draw_constants(draw, *mesh, tables));
     add_targets(draw, *mesh, tables.targets);
+    if (form_of(draw) != VertexForm::plain) tables.precise.push_back(make_precise_constants(*draw.accuracy));
     tables.any_flat |= draw.shading == Shading::flat;
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;

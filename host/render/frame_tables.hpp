@@ -20,6 +20,7 @@ struct FrameTables {
   DrawsOrigin origin;
   std::vector<layout::DrawConstants> draws;
   std::vector<layout::TargetConstants> targets;
+  std::vector<layout::PreciseConstants> precise;  // of draws that are not plain
   std::vector<layout::LightConstants> lights;
   layout::FrameConstants frame{};  // without what depends on pools and chunks, which the renderer fills in
   bool any_flat = false, any_smooth = false, any_colors = false;

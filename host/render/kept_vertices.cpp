@@ -23,6 +23,8 @@ bool same_tables(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_words<T>);
 }
 
+bool is_precise(const layout::DrawConstants& draw) { return (draw.flags & (DRAW_PIVOT | DRAW_TWO_FLOAT)) != 0; }
+
 }  // namespace
 
 bool KeptVertices::same_view(const FrameTables& tables) const {
@@ -37,6 +39,9 @@ bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const 
   const auto targets_before = drawn_.targets.begin() + before.first_target;
   now.first_target = before.first_target;
   now.first_position = before.first_position;
+  if (is_precise(now) && is_precise(before) && !same_words(tables.precise[now.precise], drawn_.precise[before.precise]))
+    return false;
+  now.precise = before.precise;
   return same_words(now, before) &&
          std::equal(targets, targets + now.target_count, targets_before, same_words<layout::TargetConstants>);
 }

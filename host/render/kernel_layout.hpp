@@ -10,8 +10,9 @@ using uint = std::uint32_t;
 #include "kernels/layout.h"
 
 // Every member is 4 bytes wide, so device and host agree when the totals do.
-static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 14));
+static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 15));
 static_assert(sizeof(TargetConstants) == 32);
+static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(FrameConstants) == 4 * 54);
 static_assert(sizeof(ChunkStatus) == 16);

@@ -14,12 +14,10 @@
 #include "anim/timeline.hpp"
 #include "host/render/depth_buffer.hpp"
 #include "host/render/plan/active_targets.hpp"
+#include "host/render/vertex_accuracy.hpp"
 #include "host/scene/scene.hpp"
 
 namespace morphcl {
-
-// Row-major rows of an affine or projective map: row r gives component r = ((m[3] + z m[2]) + y m[1]) + x m[0] by fma.
-using Row = std::array<float, 4>;
 
 struct Draw {
   const Mesh* mesh = nullptr;
@@ -32,7 +30,8 @@ struct Draw {
   std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
   std::array<float, 4> base_color;
   bool vertex_colors = false;
-  ActiveTargets targets;  // only those with a weight other than 0
+  ActiveTargets targets;                           // only those with a weight other than 0
+  std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
 };
 
 struct EyeLight {

@@ -80,11 +80,16 @@ PlanDigest pixel_digest(const FramePlan& plan) {
                          plan.depth_buffer.scale, plan.ambient, count(plan.lights.size()), count(plan.draws.size())});
   for (const EyeLight& light : plan.lights)
     digester.add(LightKey{static_cast<std::uint32_t>(light.kind), light.falloff, light.vector, light.color});
+  const VertexAccuracy plain;
   for (const Draw& draw : plan.draws) {
     digester.add(DrawKey{draw.mesh, static_cast<std::uint32_t>(draw.shading), draw.double_sided, draw.mirrored,
                          draw.vertex_colors, draw.base_color, draw.object_to_clip, draw.object_to_eye,
                          draw.normal_to_eye, count(draw.targets.size())});
     for (const ActiveTarget& target : draw.targets) digester.add(target);
+    const VertexAccuracy& accuracy = draw.accuracy ? *draw.accuracy : plain;
+    digester.add(accuracy.form);
+    if (accuracy.form == VertexForm::pivot) digester.add(accuracy.pivot);
+    if (accuracy.form == VertexForm::two_float) digester.add(accuracy.clip_rest);
   }
   return digester.digest();
 }

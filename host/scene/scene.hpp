@@ -44,6 +44,7 @@ struct Scene {
   std::vector<Object> objects;  // drawn in this order; equal depths: the earlier one wins
   Timeline timeline;            // timeline.weights has one entry an object
   ImageSettings image;
+  double accuracy_pixels = 0;  // vertices are to be within this of their exact places; 0: fp32 will do
   std::vector<FrameRange> frames;
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
   std::string content_hash;           // hex xxh3-128 of every byte read for this scene: part of the fingerprint

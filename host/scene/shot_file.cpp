@@ -18,6 +18,7 @@ namespace {
 
 void read_image_and_time(const ShotTable& shot, const LoadOptions& options, Scene& scene) {
   scene.image = read_image_settings(shot.find("image"));
+  scene.accuracy_pixels = read_accuracy(shot.find("accuracy"));
   scene.image.width = options.width.value_or(scene.image.width);
   scene.image.height = options.height.value_or(scene.image.height);
   FrameSettings frames = read_frame_settings(shot.find("frames"));
@@ -33,8 +34,8 @@ Scene read_shot(const std::string& path, const LoadOptions& options) {
 
 Scene read_shot_text(std::string_view text, const std::string& path, const LoadOptions& options) {
   const TomlValue document = parse_toml(text, path);
-  const ShotTable shot =
-      ShotValue(path, document, "a shot").table({"image", "frames", "ambient", "camera", "light", "object"});
+  const ShotTable shot = ShotValue(path, document, "a shot")
+                             .table({"image", "accuracy", "frames", "ambient", "camera", "light", "object"});
   Scene scene;
   read_image_and_time(shot, options, scene);
   TrackReader tracks(scene.timeline.time);

@@ -99,6 +99,13 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   return settings;
 }
 
+double read_accuracy(const std::optional<ShotValue>& accuracy) {
+  if (!accuracy) return 0;
+  const auto pixels = accuracy->table({"pixels"}).find("pixels");
+  if (!pixels) accuracy->fail("accuracy needs pixels: how far a vertex may be from its exact place");
+  return pixels->positive();
+}
+
 FrameSettings read_frame_settings(const std::optional<ShotValue>& frames) {
   FrameSettings settings;
   if (!frames) return settings;

@@ -12,6 +12,9 @@ namespace morphcl {
 
 ImageSettings read_image_settings(const std::optional<ShotValue>& image);
 
+// The [accuracy] table: pixels, or 0 without one.
+double read_accuracy(const std::optional<ShotValue>& accuracy);
+
 struct FrameSettings {
   TimeBase time;
   std::vector<FrameRange> ranges;  // empty: the shot does not say

@@ -21,6 +21,8 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.image.color = false; },
       [](Scene& s) { s.image.depth = false; },
       [](Scene& s) { s.image.compression = "zip"; },
+      [](Scene& s) { s.image.depth_format = DepthFormat::fixed24; },
+      [](Scene& s) { s.accuracy_pixels = 0.01; },
       [](Scene& s) { s.timeline.time.fps_numerator = 24; },
       [](Scene& s) { s.timeline.time.fps_denominator = 2; },
   };

@@ -1,7 +1,9 @@
-// frame_hashes WIDTH HEIGHT [reference]: one line a frame of every test scene, "hash SCENE/FRAME", drawn by a process
-// of its own under the environment that a test gives it. An Error is printed and its exit code is the process's.
+// frame_hashes WIDTH HEIGHT [reference] [FORMAT]: one line a frame of every test scene, "hash SCENE/FRAME", drawn by a
+// process of its own under the environment that a test gives it. FORMAT: the name of a depth buffer; vertices are then
+// drawn in their most accurate forms as well. An Error is printed and its exit code is the process's.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "host/error.hpp"
@@ -16,15 +18,19 @@ int main(int count, char** values) {
   const int width = std::atoi(values[1]), height = std::atoi(values[2]);
   try {
     prepare_process(0);
-    const bool reference = count > 3 && std::string(values[3]) == "reference";
+    const std::vector<std::string> more(values + 3, values + count);
+    const bool reference = std::find(more.begin(), more.end(), "reference") != more.end();
+    const auto format = more.empty() ? std::nullopt : depth_format_named(more.back());
     const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
     const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
-    for (const test::TestScene& scene : test::test_scenes(width, height))
+    for (test::TestScene& scene : test::test_scenes(width, height)) {
+      if (format) scene.scene.image.depth_format = *format, scene.scene.accuracy_pixels = 1e-9;
       for (const std::int64_t frame : scene.frames) {
         FrameBuffer pixels(width, height, true, true);
         renderer->render(plan_frame(scene.scene, frame), pixels);
         fmt::print("{} {}/{}\n", pixel_hash(pixels), scene.name, frame);
       }
+    }
     if (session) session->store_programs();
   } catch (const Error& error) {
     fmt::print("error {}\n", error.what());

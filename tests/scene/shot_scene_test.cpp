@@ -21,6 +21,9 @@ size = [320, 180]
 channels = ["Z"]
 samples = 1
 compression = "piz"
+depth_buffer = "fixed24"
+[accuracy]
+pixels = 0.01
 [frames]
 range = "0-10,20"
 fps = [30000, 1001]
@@ -59,6 +62,8 @@ TEST(Shot, ReadsImageFramesAndAmbient) {
   EXPECT_FALSE(scene.image.color);
   EXPECT_TRUE(scene.image.depth);
   EXPECT_EQ(scene.image.compression, "piz");
+  EXPECT_EQ(scene.image.depth_format, DepthFormat::fixed24);
+  EXPECT_EQ(scene.accuracy_pixels, 0.01);
   EXPECT_EQ(frame_numbers(scene.frames).size(), 12u);
   EXPECT_EQ(scene.timeline.time.fps_numerator, 30000);
   EXPECT_EQ(scene.timeline.time.fps_denominator, 1001);
@@ -110,6 +115,8 @@ TEST(Shot, HasTheDocumentedDefaults) {
   EXPECT_EQ(scene.image.height, 1080);
   EXPECT_TRUE(scene.image.color && scene.image.depth);
   EXPECT_EQ(scene.image.compression, "zip");
+  EXPECT_EQ(scene.image.depth_format, DepthFormat::reversed_float);
+  EXPECT_EQ(scene.accuracy_pixels, 0);
   EXPECT_EQ(frame_numbers(scene.frames), std::vector<std::int64_t>{0});
   EXPECT_EQ(scene.timeline.time.fps_numerator, 25);
   EXPECT_EQ(scene.timeline.ambient, glm::dvec3(0.05));

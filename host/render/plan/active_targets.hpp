@@ -8,9 +8,10 @@
 namespace morphcl {
 
 struct ActiveTarget {
-  int target;         // index into the mesh's targets
-  float weight;       // the target's factor
-  float base_weight;  // the base's factor: -weight for an absolute target, 0 for a delta
+  int target;             // index into the mesh's targets
+  float weight;           // the target's factor
+  float base_weight;      // the base's factor: -weight for an absolute target, 0 for a delta
+  float weight_rest = 0;  // what rounding took from the weight; of draws in two floats
   bool operator==(const ActiveTarget&) const = default;
 };
 

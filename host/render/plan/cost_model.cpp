@@ -30,6 +30,9 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
   costs.clipping = ms * model.clipped_vertex * work.vertices;
   costs.divide = ms * model.divided_vertex * work.vertices;
   costs.depth_test = ms * model.depth_test * covered;
+  costs.depth_format = plan.depth_buffer.is_forward() ? ms * model.forward_pixel * covered : 0;
+  costs.precise_vertices =
+      ms * (model.pivot_vertex * work.pivot_vertices + model.two_float_vertex * work.two_float_vertices);
 
   const double vertices = ms * model.vertex * work.vertices;
   costs.vertices =
@@ -38,10 +41,10 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
                       model.covered_pixel * covered) +
                 vertices;
   costs.skipped = ms * (model.vertex * skipped.vertices + model.triangle * skipped.triangles);
-  costs.everything = ms * model.frame + (plan.color ? costs.color : 0) + (plan.depth ? costs.depth : 0) + costs.draws +
-                     costs.targets + costs.normals + costs.colors + costs.face_light + costs.lights + costs.lines +
-                     (plan.clips ? costs.clipping : 0) + (plan.divides ? costs.divide : 0) +
-                     (plan.tests_depth ? costs.depth_test : 0);
+  costs.everything = ms * model.frame + costs.depth_format + costs.precise_vertices + (plan.color ? costs.color : 0) +
+                     (plan.depth ? costs.depth : 0) + costs.draws + costs.targets + costs.normals + costs.colors +
+                     costs.face_light + costs.lights + costs.lines + (plan.clips ? costs.clipping : 0) +
+                     (plan.divides ? costs.divide : 0) + (plan.tests_depth ? costs.depth_test : 0);
   return costs;
 }
 

@@ -11,9 +11,15 @@ namespace {
 
 constexpr std::size_t most_frames = 1000;
 
+bool same_form(const Draw& a, const Draw& b) {
+  const VertexAccuracy plain;
+  const VertexAccuracy &of_a = a.accuracy ? *a.accuracy : plain, &of_b = b.accuracy ? *b.accuracy : plain;
+  return of_a.form == of_b.form && of_a.pivot == of_b.pivot && of_a.clip_rest == of_b.clip_rest;
+}
+
 bool same_vertices(const Draw& a, const Draw& b) {
   return a.mesh == b.mesh && a.object == b.object && a.shading == b.shading && a.object_to_clip == b.object_to_clip &&
-         a.object_to_eye == b.object_to_eye && a.normal_to_eye == b.normal_to_eye &&
+         a.object_to_eye == b.object_to_eye && a.normal_to_eye == b.normal_to_eye && same_form(a, b) &&
          std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end());
 }
 

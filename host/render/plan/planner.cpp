@@ -10,6 +10,7 @@
 #include "host/geometry/bounds.hpp"
 #include "host/math/rounding.hpp"
 #include "host/render/plan.hpp"
+#include "host/render/plan/choose_vertex_form.hpp"
 #include "host/render/plan/draw_memory.hpp"
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
@@ -56,9 +57,12 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
   facts.reserve(scene.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
+    const MorphWeights& weights = scene.timeline.weights[i];
+    const bool morphs = !weights.tracks.empty();
+    // Weights decide how accurate vertices have to be.
+    const bool only_weights_change = !weights.elastic && !(morphs && scene.accuracy_pixels > 0);
     facts.push_back({object.mesh, object.node, has_primitives(object, scene.meshes[object.mesh]),
-                     nodes.is_still(object.node) && !scene.timeline.weights[i].elastic,
-                     !scene.timeline.weights[i].tracks.empty()});
+                     nodes.is_still(object.node) && only_weights_change, morphs});
   }
   return facts;
 }
@@ -186,6 +190,10 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
     if (!before) make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
     if (before && !same_targets(draw.targets, before->targets)) memory.replace();
+    if (!before && scene.accuracy_pixels > 0)
+      choose_vertex_form({volume.eye_to_clip, plan.world_to_eye, nodes.to_world(object.node), meshes[object.mesh],
+                          targets, scene.accuracy_pixels},
+                         plan, draw);
   } catch (const Error& error) {
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("object \"{}\": {}", scene.objects[object_index].name, error.message()));

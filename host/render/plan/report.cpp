@@ -4,6 +4,7 @@
 
 #include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
+#include "host/render/plan/accuracy_notes.hpp"
 #include "host/render/plan/cost_model.hpp"
 #include "host/render/plan/earlier_frames.hpp"
 #include "host/render/plan/single_cover.hpp"
@@ -58,6 +59,7 @@ class Notes {
     targets();
     shading();
     stages();
+    for (PlanNote& vertices : accuracy_notes(scene_, plan_)) notes_.push_back(std::move(vertices));
     earlier_frames();
     blank_tiles();
     return std::move(notes_);
@@ -150,6 +152,9 @@ class Notes {
          : has_convex_outline(plan_) ? "no pixel is covered twice: front faces within a convex outline"
                                      : "no pixel is covered twice: front faces within a star-shaped outline",
          costs_.depth_test);
+    if (plan_.depth_buffer.is_forward())
+      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_buffer.format)),
+           costs_.depth_format);
   }
 
   void earlier_frames() {

@@ -19,11 +19,14 @@ double row_times_point(const Row& row, const glm::dvec3& p) {
   return row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
 }
 
+glm::dvec3 to_point(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
+
 Rectangle rectangle_of(const Box& box, const Draw& draw, const FramePlan& plan) {
   const double width = plan.width, height = plan.height;
   Rectangle found{width, 0, height, 0};
+  const glm::dvec3 pivot = draw.accuracy ? to_point(draw.accuracy->pivot) : glm::dvec3(0.0);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p = box.corner(corner);
+    const glm::dvec3 p = box.corner(corner) - pivot;
     const double w = row_times_point(draw.object_to_clip[3], p);
     if (!(w >= plan.near_w * (1 + 1e-6) || plan.parallel)) return {0, width, 0, height};
     const double x = (row_times_point(draw.object_to_clip[0], p) / w + 1) * 0.5 * width;

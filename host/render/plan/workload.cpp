@@ -37,6 +37,8 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
     const auto vertices = static_cast<double>(draw.mesh->positions.size());
     const auto triangles = static_cast<double>(draw.mesh->triangles.size());
     work.draws += 1, work.vertices += vertices;
+    if (draw.accuracy && draw.accuracy->form == VertexForm::pivot) work.pivot_vertices += vertices;
+    if (draw.accuracy && draw.accuracy->form == VertexForm::two_float) work.two_float_vertices += vertices;
     count_targets(draw, vertices, work);
     if (draw.shading == Shading::wireframe) {
       work.lines += line_count(*draw.mesh);

@@ -13,6 +13,7 @@ struct Workload {
   double target_vertices = 0;       // active target times vertex, once for each attribute it moves
   double idle_target_vertices = 0;  // the same of targets of weight 0
   double smooth_vertices = 0, colored_vertices = 0, flat_faces = 0;
+  double pivot_vertices = 0, two_float_vertices = 0;  // of draws that are not plain
   double lights = 0;
   double smooth_share = 0, tinted_share = 0;  // of all triangles: those lit in every pixel, those with vertex colours
   double pixels = 0, reached_pixels = 0;      // of the picture; in tiles that an object may touch

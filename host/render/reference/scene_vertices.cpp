@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/render/kernel_layout.hpp"
+#include "host/render/reference/precise_vertices.hpp"
 
 namespace morphcl::reference {
 
@@ -21,6 +22,19 @@ Vector morph(const Draw& draw, const std::vector<Vector>& base, std::vector<Vect
       value[c] = std::fma(active.weight, target[i][c], std::fma(active.base_weight, base[i][c], value[c]));
   }
   return value;
+}
+
+// The morphed position, in the draw's own form, and its clip coordinates.
+void set_clip_point(const Draw& draw, std::size_t i, Vertex& v) {
+  const VertexForm form = draw.accuracy ? draw.accuracy->form : VertexForm::plain;
+  if (form == VertexForm::two_float) {
+    set_two_float_clip_point(draw, i, v);
+    return;
+  }
+  v.position = form == VertexForm::pivot ? pivot_position(draw, i)
+                                         : morph(draw, draw.mesh->positions, &MorphTarget::positions, i);
+  v.clip = {row_times_point(draw.object_to_clip[0], v.position), row_times_point(draw.object_to_clip[1], v.position),
+            row_times_point(draw.object_to_clip[2], v.position), row_times_point(draw.object_to_clip[3], v.position)};
 }
 
 int outcode(const ClipPoint& p, const FramePlan& plan, const RasterGrid& grid) {
@@ -92,9 +106,7 @@ std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, co
   std::vector<Vertex> vertices(mesh.positions.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     Vertex& v = vertices[i];
-    v.position = morph(draw, mesh.positions, &MorphTarget::positions, i);
-    v.clip = {row_times_point(draw.object_to_clip[0], v.position), row_times_point(draw.object_to_clip[1], v.position),
-              row_times_point(draw.object_to_clip[2], v.position), row_times_point(draw.object_to_clip[3], v.position)};
+    set_clip_point(draw, i, v);
     v.outcode = outcode(v.clip, plan, grid);
     if (v.outcode == 0) v.screen = to_screen(v.clip, grid, plan);
     if (draw.shading == Shading::smooth) v.normal = eye_normal(draw, i);
