@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "cli/camera_info.hpp"
 #include "cli/console.hpp"
 #include "cli/info_command.hpp"
 #include "cli/json_line.hpp"
@@ -53,6 +54,9 @@ void print_json(const Scene& scene) {
   line.add("compression", scene.image.compression).add("frames", range_text(scene.frames));
   line.add("fps", fps_text(scene.timeline.time)).add("objects", scene.objects.size());
   line.add("nodes", scene.timeline.nodes.size()).add("lights", scene.timeline.lights.size());
+  const CameraInfo camera = describe_camera(scene);
+  line.add("projection", camera.projection).add("window", camera.window);
+  line.add("vanishing_points", camera.vanishing_points);
   print_result(line.add("content_hash", scene.content_hash).str());
   for (const Mesh& mesh : scene.meshes) {
     JsonLine row("mesh");
@@ -71,6 +75,10 @@ void print_table(const Scene& scene) {
       {"frames", fmt::format("{} at {} per second", range_text(scene.frames), fps_text(scene.timeline.time))},
       {"nodes", std::to_string(scene.timeline.nodes.size())},
       {"lights", std::to_string(scene.timeline.lights.size())}};
+  const CameraInfo camera = describe_camera(scene);
+  rows.push_back({"camera", camera.projection});
+  rows.push_back({"window", camera.window});
+  rows.push_back({"vanishing points", camera.vanishing_points});
   for (const Mesh& mesh : scene.meshes) {
     std::string text =
         fmt::format("{}: {} vertices, {} triangles", mesh.name, mesh.positions.size(), mesh.triangles.size());

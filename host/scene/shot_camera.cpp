@@ -6,10 +6,12 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "host/math/principal_view.hpp"
 #include "host/scene/nearest_name.hpp"
 #include "host/scene/shot_projection.hpp"
+#include "host/scene/vanishing_marks.hpp"
 
 namespace morphcl {
 
@@ -98,7 +100,7 @@ void read_camera_track(const ShotValue& value, bool by_direction, TrackReader& t
 
 }  // namespace
 
-Camera read_camera(const ShotValue& value, TrackReader& tracks) {
+ShotCamera read_camera(const ShotValue& value, TrackReader& tracks) {
   const ShotTable table = value.table({"projection",
                                        "fovy_degrees",
                                        "fovx_degrees",
@@ -122,6 +124,7 @@ Camera read_camera(const ShotValue& value, TrackReader& tracks) {
                                        "up",
                                        "view",
                                        "distance",
+                                       "mark_vanishing_points",
                                        "track"});
   Camera camera;
   const ProjectionKind kind = read_projection_kind(table);
@@ -132,7 +135,8 @@ Camera read_camera(const ShotValue& value, TrackReader& tracks) {
   placed_at(table.value(), [&] { validate(camera.projection); });
   table.for_each("track",
                  [&](const ShotValue& track) { read_camera_track(track, direction.has_value(), tracks, camera); });
-  return camera;
+  const bool marks = marks_vanishing_points(table, camera);
+  return {std::move(camera), marks};
 }
 
 }  // namespace morphcl

@@ -7,6 +7,10 @@
 
 namespace morphcl {
 
-Camera read_camera(const ShotValue& camera, TrackReader& tracks);
+struct ShotCamera {
+  Camera camera;
+  bool marks_vanishing_points = false;  // host/scene/vanishing_marks.hpp
+};
+ShotCamera read_camera(const ShotValue& camera, TrackReader& tracks);
 
 }  // namespace morphcl

@@ -1,5 +1,7 @@
 #include "host/scene/shot_file.hpp"
 
+#include <utility>
+
 #include "host/scene/content_hash.hpp"
 #include "host/scene/fitted_camera.hpp"
 #include "host/scene/input_file.hpp"
@@ -11,6 +13,7 @@
 #include "host/scene/shot_track.hpp"
 #include "host/scene/shot_value.hpp"
 #include "host/scene/toml_document.hpp"
+#include "host/scene/vanishing_marks.hpp"
 
 namespace morphcl {
 
@@ -41,7 +44,9 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   TrackReader tracks(scene.timeline.time);
   if (const auto ambient = shot.find("ambient")) scene.timeline.ambient = ambient->color();
   const auto camera = shot.find("camera");
-  if (camera) scene.timeline.camera = read_camera(*camera, tracks);
+  ShotCamera shot_camera;
+  if (camera) shot_camera = read_camera(*camera, tracks);
+  scene.timeline.camera = std::move(shot_camera.camera);
   shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
 
   MeshLibrary library(path, scene.timeline.time, options.allow_outside);
@@ -53,6 +58,7 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   scene.meshes = library.take_meshes();
   scene.warnings = library.warnings();
   complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});
+  if (shot_camera.marks_vanishing_points) add_vanishing_marks(scene);
 
   ContentHash hash;
   hash.add(text);

@@ -8,6 +8,7 @@ namespace morphcl::cli_test {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -189,6 +190,22 @@ TEST_F(Render, InfoOfAShot) {
   ASSERT_EQ(objects(result, "scene").size(), 1u);
   ASSERT_EQ(objects(result, "mesh").size(), 1u);
   EXPECT_EQ(objects(result, "mesh")[0].at("triangles"), 12);
+}
+
+TEST_F(Render, InfoOfACamera) {
+  const auto info = [&](const std::string& camera) {
+    plant("camera.toml", "[image]\nsize = [400, 100]\n[camera]\n" + camera + "[[object]]\nmesh = \"cube\"\n");
+    return run_tool({"info", path("camera.toml")}).out;
+  };
+  // Upright and at 45 degrees to x and z: they vanish on the horizon, at 1 / (4 tan 45) of the picture's half width.
+  const std::string two = info("fovy_degrees = 90\neye = [5, 1, 5]\ntarget = [0, 1, 0]\n");
+  EXPECT_THAT(two, HasSubstr("perspective, 90 degrees high"));
+  EXPECT_THAT(two, HasSubstr("2: x at NDC (-0.25, 0), pixel (150, 50); z at NDC (0.25, 0), pixel (250, 50)"));
+  const std::string top = info("projection = \"orthographic\"\nview = \"top\"\nfit = \"widen\"\n");
+  EXPECT_THAT(top, HasSubstr("-4 to 4 across, -1 to 1 up; widened along x to fit the image"));
+  EXPECT_THAT(info("projection = \"cabinet\"\ndirection_degrees = 90\nfit = \"crop\"\n"),
+              AllOf(HasSubstr("oblique, 1 to the back is drawn (0, 0.5) away"),
+                    HasSubstr("-2 to 2 across, -0.5 to 0.5 up; cropped along y to fit the image")));
 }
 
 TEST_F(Render, PlanSaysWhatIsLeftOutAndWhy) {

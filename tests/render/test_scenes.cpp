@@ -1,5 +1,6 @@
 #include "tests/render/test_scenes.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -111,6 +112,44 @@ Scene orthographic(int w, int h) {
       .project(Orthographic{-1.6, 1.6, -1, 1, -1.5, 20})
       .point_light({1, 2, 1}, {1, 1, 1}, true)
       .scene();
+}
+
+// Sheared parallel views: what a line of sight leads to is not what lies straight ahead.
+Scene oblique(int w, int h) {
+  SceneBuilder b(w, h);
+  b.add(make_torus({32, 16}), Shading::smooth);
+  b.add(with_vertex_colors(make_cube()), Shading::flat, place({0.6, 0.2, 1.0}, 0.4));
+  b.add(make_cube(), Shading::wireframe, place({-0.6, 0.2, 0.5}));
+  b.add(make_grid({4, 4}), Shading::smooth, place({0, -0.5, 0}, 300), {0.9, 0.2, 0.2, 1}, true);
+  // Seen from in front along the view axis, from behind along the lines of sight, and the other way round.
+  glm::dmat4 turned = place({-1.2, 0.2, 0.2}, 0.5);
+  for (const double lean : {0.8, -0.8}) {
+    turned[0][2] = lean, turned[3][1] -= 0.3;
+    b.add(quad(-1, 1, -0.7f, 0.6f, 0), Shading::flat, turned, {0.2, 0.6, 0.9, 1}, true);
+  }
+  return b.look({0, 0, 3})
+      .project(Oblique{-1.6, 1.6, -1, 1, -1.5, 20, {0.8, -0.6}, 3})
+      .point_light({1, 2, 1}, {1, 1, 1}, true)
+      .scene();
+}
+
+// A board that is narrower than the image, and lengths over twelve decades.
+Scene central_over_twelve_decades(int w, int h) {
+  SceneBuilder b(w, h);
+  for (int decade = -5; decade <= 5; ++decade) {
+    const double size = std::pow(10.0, decade);
+    b.add(make_cube(), decade % 2 ? Shading::flat : Shading::smooth,
+          place({0.3 * decade * size, 0.1 * decade * size, -3 * size}, 0.2 * size));
+  }
+  return b.look({0, 0, 0}, {0, 0, -1}).project(CentralProjection{-2, 1, -1, 1, 1e-6, 1e6, 2}).scene();
+}
+
+Scene horizontal_perspective(int w, int h) {
+  SceneBuilder b(w, h);
+  b.add(make_torus({32, 16}), Shading::smooth);
+  b.add(make_grid({7, 7}), Shading::flat, place({0, -0.3, 0}, 10));
+  const double infinity = std::numeric_limits<double>::infinity();
+  return b.look({0.8, 0.5, 2}).project(HorizontalPerspective{80, 0.2, infinity}).scene();
 }
 
 Scene far_plane_cuts(int w, int h) {
@@ -249,6 +288,9 @@ std::vector<TestScene> test_scenes(int w, int h) {
       {"mirrored and two-sided", mirrored_and_two_sided(w, h), {0}},
       {"lines", lines(w, h), {0}},
       {"orthographic", orthographic(w, h), {0}},
+      {"oblique", oblique(w, h), {0}},
+      {"central over twelve decades", central_over_twelve_decades(w, h), {0}},
+      {"horizontal perspective", horizontal_perspective(w, h), {0}},
       {"far plane cuts", far_plane_cuts(w, h), {0}},
       {"many layers", many_layers(w, h), {0}},
       {"many targets", many_targets(w, h), {0}},
