@@ -136,6 +136,7 @@ const Arrows& allowed_arrows() {
       {"host/math", {}},
       {"anim", {"host/math"}},
       {"host/geometry", {"host/math"}},
+      {"host/visibility", {}},
       {"host/image", {"host/math"}},
       {"host/scene", {"anim", "host/geometry", "host/math"}},
       {"host/device", {"kernels"}},
