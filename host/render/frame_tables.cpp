@@ -42,7 +42,8 @@ uint draw_flags(const Draw& draw) {
 }
 
 // Groups, blocks and targets follow those of the draws before.
-layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& mesh, const FrameTables& tables) {
+layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& mesh, layout::uint positions,
+                                          const FrameTables& tables) {
   layout::DrawConstants constants{};
   for (int row = 0; row < 4; ++row) copy(draw.object_to_clip[row], constants.object_to_clip[row]);
   for (int row = 0; row < 3; ++row) copy(draw.object_to_eye[row], constants.object_to_eye[row]);
@@ -61,7 +62,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   if (std::size_t{constants.first_group} + constants.group_count > most ||
       std::size_t{constants.first_block} + constants.block_count > most)
     throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
-  constants.positions = mesh.positions, constants.normals = mesh.normals, constants.colors = mesh.colors;
+  constants.positions = positions, constants.normals = mesh.normals, constants.colors = mesh.colors;
   constants.pitch = mesh.pitch;
   constants.indices = primitives.indices, constants.index_pitch = primitives.pitch;
   constants.first_target = static_cast<uint>(tables.targets.size());
@@ -133,13 +134,14 @@ void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<l
 void add_targets(const Draw& draw, const StoredMesh& mesh, std::vector<layout::TargetConstants>& targets) {
   for (const ActiveTarget& active : draw.targets) {
     const StoredMesh::Target& target = mesh.targets[active.target];
+    const uint positions = draw.displaced ? layout::no_id : target.positions;
     targets.push_back(
-        {active.weight, active.base_weight, target.positions, target.normals, target.colors, active.weight_rest, {}});
+        {active.weight, active.base_weight, positions, target.normals, target.colors, active.weight_rest, {}});
   }
 }
 
 void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
-  tables.draws.clear(), tables.targets.clear(), tables.precise.clear();
+  tables.draws.clear(), tables.targets.clear(), tables.precise.clear(), tables.displaced.clear();
   tables.any_flat = tables.any_smooth = tables.any_colors = false;
   tables.only_faces = true;
   std::vector<std::pair<float, uint>> distances;
@@ -149,7 +151,9 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
   for (const Draw& draw : plan.draws) {
     if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
     distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
-    tables.draws.push_back(make_draw_constants(draw, *mesh, tables));
+    const uint positions = draw.displaced ? meshes.displaced(draw.object) : mesh->positions;
+    tables.draws.push_back(make_draw_constants(draw, *mesh, positions, tables));
+    tables.displaced.push_back(draw.displaced ? draw.displaced->hash : FrameTables::PositionsHash{});
     add_targets(draw, *mesh, tables.targets);
     if (form_of(draw) != VertexForm::plain) tables.precise.push_back(make_precise_constants(*draw.accuracy));
     tables.any_flat |= draw.shading == Shading::flat;

@@ -2,6 +2,8 @@
 // group and primitive block belongs to.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "host/render/kernel_layout.hpp"
@@ -22,7 +24,9 @@ struct FrameTables {
   std::vector<layout::TargetConstants> targets;
   std::vector<layout::PreciseConstants> precise;  // of draws that are not plain
   std::vector<layout::LightConstants> lights;
-  layout::FrameConstants frame{};  // without what depends on pools and chunks, which the renderer fills in
+  using PositionsHash = std::array<std::uint64_t, 2>;
+  std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
+  layout::FrameConstants frame{};        // without what depends on pools and chunks, which the renderer fills in
   bool any_flat = false, any_smooth = false, any_colors = false;
   bool only_faces = true;  // every draw is flat and without vertex colours
 };

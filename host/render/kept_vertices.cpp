@@ -42,7 +42,7 @@ bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const 
   if (is_precise(now) && is_precise(before) && !same_words(tables.precise[now.precise], drawn_.precise[before.precise]))
     return false;
   now.precise = before.precise;
-  return same_words(now, before) &&
+  return same_words(now, before) && tables.displaced[draw] == drawn_.displaced[draw] &&
          std::equal(targets, targets + now.target_count, targets_before, same_words<layout::TargetConstants>);
 }
 

@@ -113,13 +113,14 @@ MeshStore::MeshStore(std::shared_ptr<Session> session)
 
 bool MeshStore::require(const FramePlan& plan) {
   if (plan.planner != planner_) {
-    stored_.clear(), order_.clear(), wants_edges_.clear();
+    stored_.clear(), order_.clear(), wants_edges_.clear(), displaced_.clear();
     planner_ = plan.planner;
   }
   bool changed = false;
   const Mesh* last = nullptr;
   bool last_lines = false;
   for (const Draw& draw : plan.draws) {
+    if (draw.displaced) changed |= displaced_.emplace(draw.object, Displaced{draw.mesh}).second;
     const bool lines = draw.shading == Shading::wireframe;
     if (draw.mesh == last && lines == last_lines) continue;  // many objects of one mesh follow each other
     last = draw.mesh, last_lines = lines;
@@ -133,7 +134,23 @@ bool MeshStore::require(const FramePlan& plan) {
     upload();
     planner_ = plan.planner;
   }
+  for (const Draw& draw : plan.draws)
+    if (draw.displaced) upload_displaced(draw);
   return changed;
+}
+
+void MeshStore::upload_displaced(const Draw& draw) {
+  Displaced& there = displaced_.at(draw.object);
+  if (there.uploaded && there.hash == draw.displaced->hash) return;
+  const std::size_t pitch = stored_.at(draw.mesh).pitch;
+  planes_.resize(3 * pitch);
+  write_planes(draw.displaced->positions, pitch, planes_.data());
+  there.uploaded = false;
+  checked("uploading displaced positions", [&] {
+    session_->queue().enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
+                                         planes_.size() * sizeof(float), planes_.data());
+  });
+  there.uploaded = true, there.hash = draw.displaced->hash;
 }
 
 void MeshStore::upload() {
@@ -149,6 +166,8 @@ void MeshStore::upload() {
     }
     stored_[mesh] = std::move(placed);
   }
+  for (auto& [object, there] : displaced_)
+    there.positions = data.take(3 * std::size_t{stored_.at(there.mesh).pitch}), there.uploaded = false;
   data.check("vertices", limit);
   indices.check("triangles", limit);
   data_.ensure(data.size() * sizeof(float));

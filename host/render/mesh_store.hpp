@@ -36,21 +36,33 @@ class MeshStore {
   explicit MeshStore(std::shared_ptr<Session> session);
 
   // Makes sure that all meshes of the plan are on the device. Error(bad_input) when they exceed what the device can
-  // allocate at once, with the numbers. True when the meshes on the device are others than before, or elsewhere.
+  // allocate at once, with the numbers. Displaced positions are brought there too when they are new. True when the
+  // meshes on the device are others than before, or elsewhere.
   bool require(const FramePlan& plan);
 
   const StoredMesh& stored(const Mesh& mesh) const { return stored_.at(&mesh); }
+  // Where the plan's displaced positions of an object are, as floats in the mesh data.
+  layout::uint displaced(std::uint32_t object) const { return displaced_.at(object).positions; }
   const cl::Buffer& mesh_data() const { return data_.buffer(); }
   const cl::Buffer& indices() const { return indices_.buffer(); }
 
  private:
   void upload();
+  void upload_displaced(const Draw& draw);
 
   std::shared_ptr<Session> session_;
   std::uint64_t planner_ = 0;
   std::unordered_map<const Mesh*, StoredMesh> stored_;
   std::vector<const Mesh*> order_;
   std::unordered_map<const Mesh*, bool> wants_edges_;
+  struct Displaced {
+    const Mesh* mesh;
+    layout::uint positions = layout::no_id;
+    std::array<std::uint64_t, 2> hash{};  // of what is there
+    bool uploaded = false;
+  };
+  std::unordered_map<std::uint32_t, Displaced> displaced_;  // by object
+  std::vector<float> planes_;                               // room for an object's positions
   SharedBuffer data_, indices_;
 };
 

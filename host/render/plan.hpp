@@ -14,6 +14,7 @@
 #include "anim/timeline.hpp"
 #include "host/render/depth_buffer.hpp"
 #include "host/render/plan/active_targets.hpp"
+#include "host/render/plan/displaced_positions.hpp"
 #include "host/render/vertex_accuracy.hpp"
 #include "host/scene/scene.hpp"
 
@@ -32,6 +33,8 @@ struct Draw {
   bool vertex_colors = false;
   ActiveTargets targets;                           // only those with a weight other than 0
   std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
+  // In place of the morphed positions; then targets move normals and colours only. Null for most objects.
+  std::shared_ptr<const DisplacedPositions> displaced;
 };
 
 struct EyeLight {

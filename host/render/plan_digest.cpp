@@ -60,7 +60,7 @@ static_assert(sizeof(LightKey) == 8 * 4);
 
 struct DrawKey {
   const Mesh* mesh;
-  std::uint32_t shading, double_sided, mirrored, vertex_colors;
+  std::uint32_t shading, double_sided, mirrored, vertex_colors_and_displaced;
   std::array<float, 4> base_color;
   std::array<Row, 4> object_to_clip;
   std::array<Row, 3> object_to_eye;
@@ -83,9 +83,10 @@ PlanDigest pixel_digest(const FramePlan& plan) {
   const VertexAccuracy plain;
   for (const Draw& draw : plan.draws) {
     digester.add(DrawKey{draw.mesh, static_cast<std::uint32_t>(draw.shading), draw.double_sided, draw.mirrored,
-                         draw.vertex_colors, draw.base_color, draw.object_to_clip, draw.object_to_eye,
-                         draw.normal_to_eye, count(draw.targets.size())});
+                         draw.vertex_colors | (draw.displaced ? 2u : 0u), draw.base_color, draw.object_to_clip,
+                         draw.object_to_eye, draw.normal_to_eye, count(draw.targets.size())});
     for (const ActiveTarget& target : draw.targets) digester.add(target);
+    if (draw.displaced) digester.add(draw.displaced->hash);
     const VertexAccuracy& accuracy = draw.accuracy ? *draw.accuracy : plain;
     digester.add(accuracy.form);
     if (accuracy.form == VertexForm::pivot) digester.add(accuracy.pivot);

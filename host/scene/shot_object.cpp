@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/scene/nearest_name.hpp"
+#include "host/scene/shot_elastic.hpp"
 #include "host/scene/shot_transform.hpp"
 
 namespace morphcl {
@@ -67,8 +68,8 @@ std::string ObjectReader::read_name(const ShotTable& table) {
 }
 
 void ObjectReader::read(const ShotValue& object) {
-  const ShotTable table =
-      object.table({"name", "mesh", "targets", "segments", "shading", "color", "double_sided", "transform", "track"});
+  const ShotTable table = object.table(
+      {"name", "mesh", "targets", "segments", "shading", "color", "double_sided", "transform", "elastic", "track"});
   const std::string name = read_name(table);
   const ImportedModel& model = library_.model(table);
 
@@ -84,6 +85,7 @@ void ObjectReader::read(const ShotValue& object) {
   add_model(table, model, root, name);
   std::unordered_set<std::string> driven;
   table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
+  if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);
 }
 
 void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {
@@ -116,6 +118,15 @@ void ObjectReader::read_track(const ShotValue& value, int root, std::size_t firs
     target.fail(fmt::format("an object has no value \"{}\" to move{}", name,
                             suggestion(name, {"morph.NAME", "translation", "rotation", "scale", "visible"})));
   *track = tracks_.read(table, kind);
+}
+
+void ObjectReader::make_elastic(const ShotValue& value, std::size_t first_object) {
+  const Elastic elastic = read_elastic(value);
+  bool moves = false;
+  for (std::size_t i = first_object; i < scene_.objects.size(); ++i)
+    for (const MorphTarget& target : library_.mesh(scene_.objects[i].mesh).targets)
+      if (!target.positions.empty()) moves = true, scene_.timeline.weights[i].elastic = elastic;
+  if (!moves) value.fail("an elastic object follows its morph; the mesh has no morph targets that move vertices");
 }
 
 void ObjectReader::drive_morph(const ShotTable& table, const std::string& name, std::size_t first_object) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,18 @@ const std::vector<Change> changes_of_pixels{
     {"target",
      [](FramePlan& p) {
        p.draws[1].targets.push_back({1, 1.0f, 0.0f});
+     }},
+    {"displaced positions",
+     [](FramePlan& p) {
+       DisplacedPositions displaced;
+       displaced.hash = {1, 2};
+       p.draws[0].displaced = std::make_shared<DisplacedPositions>(displaced);
+     }},
+    {"other displaced positions",
+     [](FramePlan& p) {
+       DisplacedPositions displaced;
+       displaced.hash = {1, 3};
+       p.draws[0].displaced = std::make_shared<DisplacedPositions>(displaced);
      }},
     {"sign of zero", [](FramePlan& p) { p.ambient[0] = -0.0f; }},
 };

@@ -40,7 +40,7 @@ std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, 
   std::size_t missed = 0;
   PlanNote others;
   for (const Draw& draw : plan.draws) {
-    if (!draw.accuracy) return {};
+    if (!draw.accuracy) continue;
     if (notes.size() < most_notes) {
       notes.push_back({fmt::format("vertices of \"{}\"", scene.objects[draw.object].name), true,
                        reason(*draw.accuracy, scene.accuracy_pixels), milliseconds(draw, model)});

@@ -21,6 +21,8 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
 
   costs.targets = ms * model.target_vertex * work.target_vertices;
   costs.idle_targets = ms * model.target_vertex * work.idle_target_vertices;
+  costs.elastic =
+      ms * (model.mode * work.modes + model.modal_pair * work.modal_pairs + model.stepped_mass * work.stepped_masses);
   costs.normals = ms * model.smooth_vertex * work.smooth_vertices;
   costs.colors = ms * (model.colored_vertex * work.colored_vertices + model.tinted_pixel * work.tinted_share * covered);
   costs.face_light = ms * model.face_light * work.flat_faces * std::max(work.lights, 1.0);
@@ -42,8 +44,8 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
                 vertices;
   costs.skipped = ms * (model.vertex * skipped.vertices + model.triangle * skipped.triangles);
   costs.everything = ms * model.frame + costs.depth_format + costs.precise_vertices + (plan.color ? costs.color : 0) +
-                     (plan.depth ? costs.depth : 0) + costs.draws + costs.targets + costs.normals + costs.colors +
-                     costs.face_light + costs.lights + costs.lines + (plan.clips ? costs.clipping : 0) +
+                     (plan.depth ? costs.depth : 0) + costs.draws + costs.targets + costs.elastic + costs.normals +
+                     costs.colors + costs.face_light + costs.lights + costs.lines + (plan.clips ? costs.clipping : 0) +
                      (plan.divides ? costs.divide : 0) + (plan.tests_depth ? costs.depth_test : 0);
   return costs;
 }

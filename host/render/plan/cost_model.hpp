@@ -16,7 +16,9 @@ struct CostModel {
   double pivot_vertex = 0.2, two_float_vertex = 4;  // of draws whose scene states an error: more than a plain one
   double target_vertex = 1.1;                       // an attribute of a target's vertex
   double smooth_vertex = 0.8, colored_vertex = 0.8;
-  double triangle = 1.3;       // set up and binned
+  double mode = 230, modal_pair = 0.6;  // an elastic object's mode, and what it moves each mass
+  double stepped_mass = 8e3;            // an elastic object's mass, 16 steps
+  double triangle = 1.3;                // set up and binned
   double covered_share = 0.6;  // of the tiles that an object's box may touch: the pixels that it covers, in demos/
   double line = 14.0;          // the same, and drawn
   double face_light = 2.2;     // a triangle and a light
@@ -33,6 +35,7 @@ struct FrameCosts {
   double color, depth;  // written
   double draws, skipped;
   double targets, idle_targets;
+  double elastic;
   double lights, normals, face_light, colors, lines;
   double clipping, divide, depth_test, depth_format, precise_vertices;
   double vertices;      // everything that a frame with the same vertices need not do again

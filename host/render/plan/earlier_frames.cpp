@@ -17,10 +17,14 @@ bool same_form(const Draw& a, const Draw& b) {
   return of_a.form == of_b.form && of_a.pivot == of_b.pivot && of_a.clip_rest == of_b.clip_rest;
 }
 
+bool same_positions(const Draw& a, const Draw& b) {
+  return a.displaced && b.displaced ? a.displaced->hash == b.displaced->hash : a.displaced == b.displaced;
+}
+
 bool same_vertices(const Draw& a, const Draw& b) {
   return a.mesh == b.mesh && a.object == b.object && a.shading == b.shading && a.object_to_clip == b.object_to_clip &&
          a.object_to_eye == b.object_to_eye && a.normal_to_eye == b.normal_to_eye && same_form(a, b) &&
-         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end());
+         same_positions(a, b) && std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end());
 }
 
 std::vector<std::int64_t> frames_before(const Scene& scene, std::int64_t frame) {

@@ -38,6 +38,7 @@ Totals add_up(const FramePlan& plan) {
   std::set<const Mesh*> meshes;
   for (const Draw& draw : plan.draws) {
     const std::size_t primitives = padded(primitive_count(draw), layout::lanes);
+    if (draw.displaced) totals.attributes += 3 * padded(draw.mesh->positions.size(), layout::lanes) * sizeof(float);
     totals.vertices += padded(draw.mesh->positions.size(), layout::lanes);
     totals.primitives += primitives;
     totals.flat |= draw.shading == Shading::flat;

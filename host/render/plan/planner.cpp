@@ -12,6 +12,7 @@
 #include "host/render/plan.hpp"
 #include "host/render/plan/choose_vertex_form.hpp"
 #include "host/render/plan/draw_memory.hpp"
+#include "host/render/plan/elastic_shapes.hpp"
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
@@ -38,6 +39,10 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
   std::vector<Interval> ranges;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
+    if (scene.timeline.weights[i].elastic) {
+      bounds.push_back(std::nullopt);  // its springs may throw it anywhere
+      continue;
+    }
     weight_ranges(scene.timeline.weights[i], ranges);
     bounds.push_back(bounds_over_time(scene.timeline.nodes, nodes, object.node, meshes[object.mesh].at(ranges)));
   }
@@ -109,7 +114,8 @@ struct Planner::Impl {
         nodes(s.timeline.nodes),
         tree(bounds_over_time(s, meshes, nodes)),
         facts(facts_of_objects(s, nodes)),
-        weights(s) {}
+        weights(s),
+        elastic(s) {}
 
   FramePlan plan(std::int64_t frame);
 
@@ -118,6 +124,7 @@ struct Planner::Impl {
   void add_light(const LightState& light, FramePlan& plan) const;
   void add_draws(const ViewVolume& volume, FramePlan& plan);
   void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
+  std::shared_ptr<const DisplacedPositions> displaced_positions(std::size_t object, std::int64_t frame);  // or null
 
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};
@@ -136,6 +143,7 @@ struct Planner::Impl {
   ObjectTree::InView in_view;
   DrawMemory memory;
   SharedWeights weights;
+  ElasticShapes elastic;
   std::size_t drawn_before = 0;
   std::int64_t tick = 0;
 };
@@ -179,9 +187,10 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
     object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
     object_to_clip = volume.eye_to_clip * object_to_eye;
   }
+  const auto displaced = displaced_positions(object_index, plan.frame);
   // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
   if (!inside) {
-    const BoundedBox box = bounded(meshes[object.mesh].at(targets));
+    const BoundedBox box = bounded(displaced ? displaced->box : meshes[object.mesh].at(targets));
     if (options.objects_out_of_view && HalfSpaces(volume.view, object_to_clip).side(box) == Side::outside) return;
     plan.clips = plan.clips || HalfSpaces(volume.clip, object_to_clip).side(box) != Side::inside;
   }
@@ -190,13 +199,24 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
     if (!before) make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
     if (before && !same_targets(draw.targets, before->targets)) memory.replace();
-    if (!before && scene.accuracy_pixels > 0)
+    draw.displaced = displaced;
+    if (!before && !displaced && scene.accuracy_pixels > 0)
       choose_vertex_form({volume.eye_to_clip, plan.world_to_eye, nodes.to_world(object.node), meshes[object.mesh],
                           targets, scene.accuracy_pixels},
                          plan, draw);
   } catch (const Error& error) {
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("object \"{}\": {}", scene.objects[object_index].name, error.message()));
+  }
+}
+
+std::shared_ptr<const DisplacedPositions> Planner::Impl::displaced_positions(std::size_t object, std::int64_t frame) {
+  if (!elastic.is_elastic(object)) return nullptr;
+  try {
+    return elastic.at(object, frame);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_input, "",
+                fmt::format("object \"{}\": {}", scene.objects[object].name, error.message()));
   }
 }
 

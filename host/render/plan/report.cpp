@@ -57,6 +57,7 @@ class Notes {
     channels();
     objects();
     targets();
+    elastic();
     shading();
     stages();
     for (PlanNote& vertices : accuracy_notes(scene_, plan_)) notes_.push_back(std::move(vertices));
@@ -103,6 +104,19 @@ class Notes {
     if (counts_.idle_targets)
       note_idle("idle morph targets", options_.idle_targets, plural(counts_.idle_targets, "target") + " of weight 0",
                 costs_.idle_targets);
+  }
+
+  void elastic() {
+    std::size_t objects = 0, modal = 0, masses = 0;
+    for (const Draw& draw : plan_.draws)
+      if (draw.displaced)
+        ++objects, modal += draw.displaced->method == ElasticMethod::modal, masses += draw.displaced->masses;
+    if (objects == 0) return;
+    const std::string how = modal == objects ? "in closed form, mode by mode"
+                            : modal == 0     ? "in steps of TR-BDF2, 16 a frame"
+                                             : fmt::format("{} mode by mode, the others in steps of TR-BDF2", modal);
+    note("elastic vertices", true, fmt::format("{}, {}: {}", plural(objects, "object"), plural(masses, "point"), how),
+         costs_.elastic);
   }
 
   void shading() {

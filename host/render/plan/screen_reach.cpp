@@ -58,7 +58,8 @@ ScreenReach find_reach(const FramePlan& plan) {
     const MorphBounds& mesh = bounds.try_emplace(draw.mesh, *draw.mesh).first->second;
     std::vector<double> weights(draw.mesh->targets.size(), 0.0);
     for (const ActiveTarget& target : draw.targets) weights[target.target] = double{target.weight};
-    const Rectangle rectangle = rectangle_of(mesh.at(weights), draw, plan);
+    const Box box = draw.displaced ? draw.displaced->box : mesh.at(weights);
+    const Rectangle rectangle = rectangle_of(box, draw, plan);
     const Tiles columns(rectangle.left, rectangle.right, reach.tile_columns);
     const Tiles rows(rectangle.top, rectangle.bottom, reach.tile_rows);
     for (int row = rows.first; row <= rows.last; ++row)

@@ -13,7 +13,7 @@ double line_count(const Mesh& mesh) {
 
 // Attributes that a target moves and the draw needs.
 double moved_attributes(const MorphTarget& target, const Draw& draw) {
-  return (target.positions.empty() ? 0.0 : 1.0) +
+  return (target.positions.empty() || draw.displaced ? 0.0 : 1.0) +
          (target.normals.empty() || draw.shading != Shading::smooth ? 0.0 : 1.0) +
          (target.colors.empty() || !draw.vertex_colors ? 0.0 : 1.0);
 }
@@ -28,6 +28,14 @@ void count_targets(const Draw& draw, double vertices, Workload& work) {
   }
 }
 
+void count_elastic(const DisplacedPositions& shape, Workload& work) {
+  const auto masses = static_cast<double>(shape.masses);
+  if (shape.method == ElasticMethod::modal)
+    work.modes += masses, work.modal_pairs += masses * masses;
+  else
+    work.stepped_masses += masses;
+}
+
 }  // namespace
 
 Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
@@ -40,6 +48,7 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
     if (draw.accuracy && draw.accuracy->form == VertexForm::pivot) work.pivot_vertices += vertices;
     if (draw.accuracy && draw.accuracy->form == VertexForm::two_float) work.two_float_vertices += vertices;
     count_targets(draw, vertices, work);
+    if (draw.displaced) count_elastic(*draw.displaced, work);
     if (draw.shading == Shading::wireframe) {
       work.lines += line_count(*draw.mesh);
       continue;

@@ -14,6 +14,8 @@ struct Workload {
   double idle_target_vertices = 0;  // the same of targets of weight 0
   double smooth_vertices = 0, colored_vertices = 0, flat_faces = 0;
   double pivot_vertices = 0, two_float_vertices = 0;  // of draws that are not plain
+  double modes = 0, modal_pairs = 0;                  // of elastic objects in modes; with each mass
+  double stepped_masses = 0;                          // of elastic objects in steps
   double lights = 0;
   double smooth_share = 0, tinted_share = 0;  // of all triangles: those lit in every pixel, those with vertex colours
   double pixels = 0, reached_pixels = 0;      // of the picture; in tiles that an object may touch

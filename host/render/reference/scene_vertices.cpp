@@ -24,6 +24,10 @@ Vector morph(const Draw& draw, const std::vector<Vector>& base, std::vector<Vect
   return value;
 }
 
+glm::vec3 object_position(const Draw& draw, std::size_t i) {
+  return draw.displaced ? draw.displaced->positions[i] : morph(draw, draw.mesh->positions, &MorphTarget::positions, i);
+}
+
 // The morphed position, in the draw's own form, and its clip coordinates.
 void set_clip_point(const Draw& draw, std::size_t i, Vertex& v) {
   const VertexForm form = draw.accuracy ? draw.accuracy->form : VertexForm::plain;
@@ -31,8 +35,7 @@ void set_clip_point(const Draw& draw, std::size_t i, Vertex& v) {
     set_two_float_clip_point(draw, i, v);
     return;
   }
-  v.position = form == VertexForm::pivot ? pivot_position(draw, i)
-                                         : morph(draw, draw.mesh->positions, &MorphTarget::positions, i);
+  v.position = form == VertexForm::pivot ? pivot_position(draw, i) : object_position(draw, i);
   v.clip = {row_times_point(draw.object_to_clip[0], v.position), row_times_point(draw.object_to_clip[1], v.position),
             row_times_point(draw.object_to_clip[2], v.position), row_times_point(draw.object_to_clip[3], v.position)};
 }
