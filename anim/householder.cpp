@@ -34,7 +34,7 @@ std::vector<double> reflection_of(const double* x, std::size_t count) {
 
 }  // namespace
 
-HouseholderQr::HouseholderQr(DenseMatrix& a, Pivoting pivoting) : rows_(a.rows) {
+HouseholderQr::HouseholderQr(DenseMatrix& a, Pivoting pivoting) {
   const std::size_t steps = std::min(a.rows, a.columns);
   for (std::size_t i = 0; i < steps; ++i) {
     const std::size_t left = a.rows - i;

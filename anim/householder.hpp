@@ -25,7 +25,6 @@ class HouseholderQr {
   void apply_q(double* x) const;  // x <- Q x; as many numbers as `a` had rows
 
  private:
-  std::size_t rows_;
   std::vector<std::vector<double>> reflections_;  // vector i acts on rows i and below; of length sqrt(2), or empty
 };
 
