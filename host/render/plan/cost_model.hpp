@@ -13,8 +13,8 @@ struct CostModel {
   double draw = 450;     // an object: evaluated, judged, written to the tables
   double vertex = 1.8;   // transformed, snapped and stored
   double divided_vertex = 0.2, clipped_vertex = 0.05;
-  double pivot_vertex = 0.2, two_float_vertex = 4;  // of draws whose scene states an error: more than a plain one
-  double target_vertex = 1.1;                       // an attribute of a target's vertex
+  double pivot_vertex = 0.1, two_float_vertex = 2.1;  // of draws whose scene states an error: more than a plain one
+  double target_vertex = 1.1;                         // an attribute of a target's vertex
   double smooth_vertex = 0.8, colored_vertex = 0.8;
   double mode = 230, modal_pair = 0.6;  // an elastic object's mode, and what it moves each mass
   double stepped_mass = 8e3;            // an elastic object's mass, 16 steps
@@ -23,7 +23,7 @@ struct CostModel {
   double line = 14.0;          // the same, and drawn
   double face_light = 2.2;     // a triangle and a light
   double covered_pixel = 0.06, depth_test = 0.015;  // a pixel that something covers
-  double forward_pixel = 0.5;                       // the same: what other depth buffers than the default take more
+  double forward_pixel = 2;                         // the same: what other depth buffers than the default take more
   double smooth_pixel = 0.34, pixel_light = 0.10;   // smooth shading: a pixel; a pixel and a light
   double span = 6.0, smooth_span = 9.0;             // a triangle in a row of pixels; the same, smoothly lit
   double tinted_pixel = 0.30;                       // vertex colours: a pixel
