@@ -155,7 +155,8 @@ double to_double(const Float256& value) {
   if (bits < 0) return 0;
   // One bit more than the double's: the half.
   const std::uint64_t doubled = value.mantissa.limb[3] >> (63 - bits);
-  return std::ldexp(static_cast<double>((doubled + 1) / 2), ulp_exponent);
+  const std::uint64_t ulps = (doubled + 1) / 2;
+  return std::ldexp(static_cast<double>(ulps), ulp_exponent);
 }
 
 }  // namespace morphcl

@@ -179,19 +179,35 @@ TEST(ExtremeCase, BspSplits) {
   EXPECT_NE(glm::cross(glm::dvec3(b - a), glm::dvec3(middle - a)), glm::dvec3(0)) << "still on the edge";
 }
 
+// Windows of the picture's own size, halved in integers: how many pixels are left of them at the end.
+int pixels_of_naive_windows(int width, int height) {
+  if (width <= 1 && height <= 1) return 1;
+  const int left = std::max(width / 2, 1), top = std::max(height / 2, 1);
+  return (width > 1 ? 2 : 1) * (height > 1 ? 2 : 1) * pixels_of_naive_windows(left, top);
+}
+
 TEST(ExtremeCase, Warnock) {
   expect_the_z_buffers_picture(warnock_picture);
-  // The naive form halves the side of the picture: 1000 pixels are 62.5 after four times.
-  EXPECT_NE(1000 / 16 * 16, 1000);
+  // 250 pixels halve to 62.5; a slanted polygon in front of another makes windows of all sizes.
+  const int width = 250, height = 250;
+  const Polygons polygons = {make_flat_polygon({{0, 0, 0}, {512, 0, 0}, {512, 512, 0}, {0, 512, 0}}),
+                             make_flat_polygon({{3, 5, 9}, {400, 77, 9}, {100, 444, 9}})};
+  const PolygonPicture picture = warnock_picture(polygons, width, height);
+  EXPECT_EQ(std::count(picture.polygon.begin(), picture.polygon.end(), -1), 0) << "pixels in no window";
+  EXPECT_NE(pixels_of_naive_windows(width, height), width * height) << "the naive form meets the demand";
 }
 
 TEST(ExtremeCase, Watkins) {
   expect_the_z_buffers_picture(watkins_picture);
-  // The naive form adds up the edge's step: after 16384 lines it is a quarter of a pixel away.
-  const float step = 0.1f;
-  float x = 0;
-  for (int line = 0; line < 16384; ++line) x += step;
-  EXPECT_GT(std::abs(x - 16384 * static_cast<double>(step)), 0.25);
+  // The naive form adds the edge's step line by line: over 16384 lines it comes to another pixel than the edge does.
+  int wrong = 0;
+  for (int run = 1; run <= 20'000; run += 997) {
+    const float step = static_cast<float>(run) / 16384.0f * 1.1f;
+    float x = 0;
+    for (int line = 0; line < 16384; ++line) x += step;
+    wrong += static_cast<int>(std::floor(x)) != static_cast<int>(std::floor(16384 * static_cast<double>(step)));
+  }
+  EXPECT_GT(wrong, 0) << "the naive form meets the demand";
 }
 
 TEST(HiddenSurfaces, SheetOfTrianglesLeavesNoPixelOutAndSharesNone) {
