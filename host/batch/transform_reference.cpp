@@ -7,16 +7,9 @@
 #include <cstdint>
 #include <limits>
 
-static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated in float");
+#include "host/math/hardware_fma.hpp"
 
-// With the fused multiply-add of the processor where it has one: the same bits as the library's, seven times as fast.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define WITH_HARDWARE_FMA [[gnu::target_clones("default", "fma")]]
-#define PART_OF_IT [[gnu::always_inline]] inline
-#else
-#define WITH_HARDWARE_FMA
-#define PART_OF_IT inline
-#endif
+static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated in float");
 
 namespace morphcl {
 
@@ -46,18 +39,18 @@ struct Exponent<double> {
 };
 
 template <class Real>
-PART_OF_IT Real times(const MatrixRow<Real>& row, Vector<Real> p) {
+MORPHCL_INLINED Real times(const MatrixRow<Real>& row, Vector<Real> p) {
   return std::fma(p.x, row[0], std::fma(p.y, row[1], std::fma(p.z, row[2], row[3])));
 }
 
 template <class Real>
-PART_OF_IT Real larger(Real a, Real b) {
+MORPHCL_INLINED Real larger(Real a, Real b) {
   return a > b ? a : b;
 }
 
 // By the power of two that brings the largest component to [1, 4), or a denormal one as near as one factor can.
 template <class Real>
-PART_OF_IT Vector<Real> scale_to_one(Vector<Real> v) {
+MORPHCL_INLINED Vector<Real> scale_to_one(Vector<Real> v) {
   using Bits = typename Exponent<Real>::Bits;
   const Real largest = larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
   const Bits exponent = std::bit_cast<Bits>(largest) >> Exponent<Real>::fraction_bits;
@@ -67,7 +60,7 @@ PART_OF_IT Vector<Real> scale_to_one(Vector<Real> v) {
 }
 
 template <class Real>
-PART_OF_IT Vector<Real> normalize(Vector<Real> v) {
+MORPHCL_INLINED Vector<Real> normalize(Vector<Real> v) {
   v = scale_to_one(v);
   const Real length = std::sqrt(std::fma(v.x, v.x, std::fma(v.y, v.y, v.z * v.z)));
   const Real divisor = length > 0 ? length : Real{1};
@@ -75,12 +68,12 @@ PART_OF_IT Vector<Real> normalize(Vector<Real> v) {
 }
 
 template <class Real>
-PART_OF_IT Product<Real> multiply(const MatrixRow<Real>* rows, Vector<Real> p, bool projective) {
+MORPHCL_INLINED Product<Real> multiply(const MatrixRow<Real>* rows, Vector<Real> p, bool projective) {
   return {times(rows[0], p), times(rows[1], p), times(rows[2], p), projective ? times(rows[3], p) : Real{0}};
 }
 
 template <class Real>
-PART_OF_IT Vector<Real> finish(Product<Real> q, TransformKind kind) {
+MORPHCL_INLINED Vector<Real> finish(Product<Real> q, TransformKind kind) {
   if (kind == TransformKind::normals) return normalize<Real>({q.x, q.y, q.z});
   if (kind == TransformKind::affine) return {q.x, q.y, q.z};
   constexpr Real none = std::numeric_limits<Real>::infinity();
@@ -91,8 +84,8 @@ PART_OF_IT Vector<Real> finish(Product<Real> q, TransformKind kind) {
 // The matrix, or the sum of matrices, that vertex i goes through, applied to p; false if it asks for one that is not
 // there.
 template <class Real>
-PART_OF_IT bool multiply_chosen(const Transform<Real>& transform, const MatrixChoice<Real>& choice, std::size_t i,
-                                Vector<Real> p, Product<Real>& q) {
+MORPHCL_INLINED bool multiply_chosen(const Transform<Real>& transform, const MatrixChoice<Real>& choice, std::size_t i,
+                                     Vector<Real> p, Product<Real>& q) {
   const bool projective = transform.kind() == TransformKind::projective;
   const std::size_t per_matrix = projective ? 4 : 3;
   const auto* rows = transform.rows().data();
@@ -120,8 +113,8 @@ PART_OF_IT bool multiply_chosen(const Transform<Real>& transform, const MatrixCh
 }
 
 template <class Real>
-PART_OF_IT void transform_each(const Transform<Real>& transform, const Vertices<const Real>& in,
-                               const Vertices<Real>& out, const MatrixChoice<Real>& choice) {
+MORPHCL_INLINED void transform_each(const Transform<Real>& transform, const Vertices<const Real>& in,
+                                    const Vertices<Real>& out, const MatrixChoice<Real>& choice) {
   const Real *x = in.coordinates(0), *y = in.coordinates(1), *z = in.coordinates(2);
   Real *out_x = out.coordinates(0), *out_y = out.coordinates(1), *out_z = out.coordinates(2);
   const std::size_t stride = in.stride(), count = in.size();
@@ -141,13 +134,13 @@ PART_OF_IT void transform_each(const Transform<Real>& transform, const Vertices<
   }
 }
 
-WITH_HARDWARE_FMA void transform_floats(const Transform<float>& transform, const Vertices<const float>& in,
-                                        const Vertices<float>& out, const MatrixChoice<float>& choice) {
+MORPHCL_WITH_HARDWARE_FMA void transform_floats(const Transform<float>& transform, const Vertices<const float>& in,
+                                                const Vertices<float>& out, const MatrixChoice<float>& choice) {
   transform_each(transform, in, out, choice);
 }
 
-WITH_HARDWARE_FMA void transform_doubles(const Transform<double>& transform, const Vertices<const double>& in,
-                                         const Vertices<double>& out, const MatrixChoice<double>& choice) {
+MORPHCL_WITH_HARDWARE_FMA void transform_doubles(const Transform<double>& transform, const Vertices<const double>& in,
+                                                 const Vertices<double>& out, const MatrixChoice<double>& choice) {
   transform_each(transform, in, out, choice);
 }
 
