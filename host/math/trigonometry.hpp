@@ -4,7 +4,7 @@
 //
 // Method: Ziv (1991). A first phase of about 70 bits (sine_kernel.hpp) decides nearly always; where its error bound
 // leaves two doubles possible, a second one of more than 180 bits in integers (accurate_sine.hpp) decides. Arguments of
-// any size are reduced exactly (quarter_turns.hpp). The hardest arguments known need 53 + 68 bits; that no argument
+// any size are reduced exactly (quarter_turns.hpp). The hardest arguments published need some 53 + 70 bits; that none
 // needs 180 is not proved for sine, cosine and tangent of large numbers and for the arc tangent, but the chance that
 // one of them does is below 2^-50.
 //
