@@ -6,6 +6,7 @@
 #include <functional>
 #include <new>
 
+#include "cli/accuracy_command.hpp"
 #include "cli/compare_command.hpp"
 #include "cli/console.hpp"
 #include "cli/devices_command.hpp"
@@ -31,6 +32,7 @@ const char* const examples = R"(Examples:
   morphcl plan shot.toml --frame 57
   morphcl compare shot.toml --frames 0-100x10 --out error
   morphcl info out/cube.0057.exr
+  morphcl accuracy --quick
 
 Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
 69 no usable device, 73 the output cannot be created, 74 a write failed, 75 interrupted (run again with --resume).)";
@@ -193,6 +195,30 @@ void add_warm(CLI::App& app, DeviceOptions& options, Action& action) {
   command.callback([&] { action = [&] { return warm_command(options); }; });
 }
 
+void add_accuracy(CLI::App& app, AccuracyOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("accuracy", "Measure the error of every operation against its run time");
+  command.add_flag("--quick", options.quick, "Fewer inputs and one batch size: some seconds")->group("Measurement");
+  command
+      .add_option("--operation", options.operations,
+                  "Operations to measure; default: all. A name that is none lists them")
+      ->type_name("NAME...")
+      ->group("Measurement");
+  command.add_option("--seed", options.seed, "Of the random inputs, 0 to 2^64 - 1; default: 1")
+      ->type_name("N")
+      ->group("Measurement");
+  command.add_option("--out", options.out, "Folder for accuracy.csv, accuracy.json and accuracy.svg; default: none")
+      ->type_name("DIR")
+      ->group("Output");
+  command
+      .add_option("--device", options.device.device,
+                  "Index or part of a name (see morphcl devices), or none; default: the first CPU device")
+      ->type_name("NAME|INDEX")
+      ->group("Device");
+  add_threads_option(command, options.device.threads);
+  add_json_flag(command, options.json);
+  command.callback([&] { action = [&] { return accuracy_command(options); }; });
+}
+
 // What CLI11 found wrong as one line; --help and --version print to stdout and are no error.
 int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
@@ -210,6 +236,7 @@ int parse_and_run(int argc, char** argv) {
   InfoOptions info;
   DevicesOptions devices;
   DeviceOptions warm;
+  AccuracyOptions accuracy;
   Action action;
   CLI::App app("Renders keyframed morph and transform animations to OpenEXR on any OpenCL device.", "morphcl");
   app.set_version_flag("--version", std::string("morphcl ") + version);
@@ -221,6 +248,7 @@ int parse_and_run(int argc, char** argv) {
   add_info(app, info, action);
   add_devices(app, devices, action);
   add_warm(app, warm, action);
+  add_accuracy(app, accuracy, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

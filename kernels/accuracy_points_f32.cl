@@ -28,7 +28,7 @@ kernel void pivot_relative(POINT_ARGUMENTS) {
   const float x = v[0] - pivot[0], y = v[1] - pivot[1], z = v[2] - pivot[2];
   for (int row = 0; row < 3; ++row) {
     global const float* m = constants + 4 * row;
-    results[i + row * (size_t)count] = fma(x, m[0], fma(y, m[1], fma(z, m[2], pivot[row])));
+    results[i + row * (size_t)count] = fma(x, m[0], fma(y, m[1], z * m[2])) + pivot[row];
   }
 }
 

@@ -143,7 +143,8 @@ const Arrows& allowed_arrows() {
       {"host/batch", {"host/device", "host/math", "kernels"}},
       {"host/render", {"host/device", "host/scene", "host/geometry", "host/math", "host/image", "anim", "kernels"}},
       {"host/job", {"host/render", "host/scene", "host/image", "anim"}},
-      {"host/accuracy", {"host/render", "host/scene", "host/geometry", "host/image", "host/math", "anim"}},
+      {"host/accuracy",
+       {"host/render", "host/batch", "host/device", "host/scene", "host/geometry", "host/image", "host/math", "anim"}},
   };
   return arrows;
 }
