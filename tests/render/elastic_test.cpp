@@ -139,9 +139,9 @@ TEST(ElasticObject, AreSeenWhereTheirSpringsThrowThem) {
   Mesh mesh = make_cube();
   MorphTarget lifted;
   lifted.name = "lifted", lifted.form = TargetForm::delta;
-  lifted.positions.assign(mesh.positions.size(), glm::vec3(0, 3, 0));
+  lifted.positions.assign(mesh.positions.size(), glm::vec3(0, 5, 0));
   mesh.targets = {lifted};
-  builder.add(mesh, Shading::flat, place({0, -6, 0}));
+  builder.add(mesh, Shading::flat, place({0, -4.6, 0}, 0.3));
   Scene& scene = builder.scene();
   scene.timeline.weights[0].tracks.push_back(
       {0, Track(Interpolation::step, 1, false, scene.timeline.time.ticks_per_second(), {0, 1}, {0, 1})});
