@@ -130,6 +130,24 @@ TEST(FrameDifference, InfiniteColorsAreEqualToInfiniteColors) {
   EXPECT_EQ(d.objects[0].other_color, 0u) << "what is stored is the nearest half all the same";
 }
 
+// A sphere on springs that is still on its way to a cube: neither render may show where the morph alone would be.
+TEST(FrameDifference, ElasticObjectsAreComparedInTheShapeTheyHave) {
+  SceneBuilder b(width, height);
+  b.add(make_sphere_to_cube({12, 6}), Shading::flat);
+  Timeline& timeline = b.look({1.6, 1.3, 2.8}).scene().timeline;
+  const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };
+  timeline.weights[0].tracks.push_back(
+      {0, Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(), {ticks(0), ticks(10)}, {0.0, 1.0})});
+  Scene on_rails = b.scene();
+  timeline.weights[0].elastic = Elastic{};
+  const FrameDifference d = compare_frame(b.scene(), b.scene(), 5);
+  EXPECT_GT(d.total.pixels, 1000u);
+  EXPECT_LE(different(d.total), d.total.pixels / 1000);
+  EXPECT_LT(d.total.depth.arithmetic.rms(), 1e-6);
+  const FrameDifference other = compare_frame(on_rails, on_rails, 5);
+  EXPECT_NE(other.total.pixels, d.total.pixels) << "the springs change the picture";
+}
+
 TEST(FrameDifference, TooLargeAnImageIsRefused) {
   FramePlan plan;
   plan.width = plan.height = 8192;

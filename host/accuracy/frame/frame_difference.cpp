@@ -29,12 +29,20 @@ void add(ErrorByCause& tally, const Value& v, double unit) {
   tally.arithmetic.add(error(v.computed, v.exact) / unit);
 }
 
+// Simulated once, for both renders.
+ElasticShapesOfFrame elastic_shapes(const FramePlan& plan) {
+  ElasticShapesOfFrame shapes;
+  for (const Draw& draw : plan.draws)
+    if (draw.displaced) shapes[draw.object] = &draw.displaced->positions;
+  return shapes;
+}
+
 template <class Geometry>
 class Comparison {
  public:
   Comparison(const Scene& scene, const FramePlan& plan, const FrameBuffer& pixels, const std::vector<ShownPixel>& shown,
              FrameDifference& result)
-      : truth_(scene, plan.frame), plan_(plan), pixels_(pixels), shown_(shown), result_(result) {
+      : truth_(scene, plan.frame, elastic_shapes(plan)), plan_(plan), pixels_(pixels), shown_(shown), result_(result) {
     for (const Object& object : scene.objects) result_.objects.emplace_back().name = object.name;
   }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@
 namespace morphcl::accuracy {
 
 constexpr std::uint32_t no_object = 0xffffffff;
+
+using ElasticShapesOfFrame = std::map<std::uint32_t, const std::vector<glm::vec3>*>;
 
 // What a pixel shows: a triangle, or an edge of a wireframe, of an object of the scene.
 template <class Real>
@@ -31,11 +34,16 @@ class PreciseFrame {
  public:
   using Real = typename Geometry::Real;
 
-  // `scene` is valid and outlives the frame. Errors: those of evaluate().
-  PreciseFrame(const Scene& scene, std::int64_t frame) : PreciseFrame(scene, evaluate(scene.timeline, frame)) {}
-  PreciseFrame(const Scene& scene, const FrameState& state)
+  // `scene` is valid and outlives the frame. `shapes`: the positions of elastic objects by their index, which outlive
+  // it too. Errors: those of evaluate().
+  PreciseFrame(const Scene& scene, std::int64_t frame, const ElasticShapesOfFrame& shapes = {})
+      : PreciseFrame(scene, evaluate(scene.timeline, frame), shapes) {}
+  PreciseFrame(const Scene& scene, const FrameState& state, const ElasticShapesOfFrame& shapes)
       : camera_(state.camera, scene.image.width, scene.image.height), lighting_(state, camera_) {
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) objects_.push_back(make_object(scene, i, state, camera_));
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const auto shape = shapes.find(static_cast<std::uint32_t>(i));
+      objects_.push_back(make_object(scene, i, state, camera_, shape == shapes.end() ? nullptr : shape->second));
+    }
   }
   PreciseFrame(const PreciseFrame&) = delete;
   PreciseFrame& operator=(const PreciseFrame&) = delete;
@@ -73,7 +81,8 @@ class PreciseFrame {
   }
 
   // Whether the primitive also covers everything within `reach` sub-pixels of the pixel's centre.
-  bool covers_around(std::uint32_t object, std::uint32_t primitive, int x, int y, int reach) const {
+  bool covers_around(std::uint32_t object, std::uint32_t primitive, int x, int y,
+                     const typename Geometry::Coordinate& reach) const {
     bool covers = false;
     for_each_piece(object, primitive, [&](const auto& piece) { covers |= piece.covers_around(x, y, reach); });
     return covers;

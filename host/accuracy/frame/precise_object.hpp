@@ -1,5 +1,6 @@
 // One object of a frame in high precision: its vertices morphed (p + w d, or p + w (b - p)) and transformed by
-// matrices that were never rounded to fp32. Stored positions, normals and colours are fp32 and taken as exact.
+// matrices that were never rounded to fp32. Stored positions, normals and colours are fp32 and taken as exact, and so
+// is the shape of an elastic object, whose motion is computed in fp64 and rounded once.
 #pragma once
 
 #include <algorithm>
@@ -73,10 +74,12 @@ Vector3<Real> morphed(const Mesh& mesh, const std::vector<Stored>& base, std::ve
 
 template <class Real>
 PreciseVertex<Real> make_vertex(const PreciseObject<Real>& object, const Matrix<Real>& object_to_clip,
-                                const std::vector<double>& weights, std::size_t i) {
+                                const std::vector<double>& weights, const std::vector<glm::vec3>* shape,
+                                std::size_t i) {
   const Mesh& mesh = *object.mesh;
   PreciseVertex<Real> v{};
-  v.position = morphed<Real>(mesh, mesh.positions, &MorphTarget::positions, weights, i);
+  v.position =
+      shape ? to_real<Real>((*shape)[i]) : morphed<Real>(mesh, mesh.positions, &MorphTarget::positions, weights, i);
   v.x = row_times_point(object_to_clip[0], v.position), v.y = row_times_point(object_to_clip[1], v.position);
   v.w = row_times_point(object_to_clip[3], v.position);
   v.distance = -row_times_point(object.object_to_eye[2], v.position);
@@ -93,10 +96,10 @@ PreciseVertex<Real> make_vertex(const PreciseObject<Real>& object, const Matrix<
   return v;
 }
 
-// Object `index` of the scene at this state of its timeline.
+// Object `index` of the scene at this state of its timeline; `shape`: the positions of an elastic one, else null.
 template <class Real>
 PreciseObject<Real> make_object(const Scene& scene, std::size_t index, const FrameState& state,
-                                const PreciseCamera<Real>& camera) {
+                                const PreciseCamera<Real>& camera, const std::vector<glm::vec3>* shape) {
   const Object& source = scene.objects[index];
   PreciseObject<Real> object;
   object.mesh = &scene.meshes[source.mesh];
@@ -115,7 +118,7 @@ PreciseObject<Real> make_object(const Scene& scene, std::size_t index, const Fra
   object.mirrored = dot(row(0), cross(row(1), row(2))) < 0;
   const Matrix<Real> object_to_clip = camera.eye_to_clip * object.object_to_eye;
   for (std::size_t i = 0; i < object.mesh->positions.size(); ++i)
-    object.vertices.push_back(make_vertex(object, object_to_clip, state.weights[index], i));
+    object.vertices.push_back(make_vertex(object, object_to_clip, state.weights[index], shape, i));
   return object;
 }
 

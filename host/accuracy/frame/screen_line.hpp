@@ -33,7 +33,7 @@ class ScreenLine {
     return Hit<Real>{(share_a * a_.distance + share_b * b_.distance) / total, {}, true};
   }
 
-  bool covers_around(int, int, int) const { return false; }  // a line has no inside
+  bool covers_around(int, int, const Coordinate&) const { return false; }  // a line has no inside
 
   template <class Visit>
   void for_each_pixel(const Visit& visit) const {

@@ -70,7 +70,7 @@ class ScreenTriangle {
   }
 
   // Whether everything within `reach` sub-pixels of the pixel's centre, sideways and up and down, is covered.
-  bool covers_around(int x, int y, int reach) const {
+  bool covers_around(int x, int y, const Coordinate& reach) const {
     const ScreenPoint<Coordinate> centre{Coordinate(pixel_centre(x)), Coordinate(pixel_centre(y))};
     for (std::size_t i = 0; i < 3; ++i) {
       const ScreenPoint<Coordinate>&from = at_[i], &to = at_[(i + 1) % 3];
