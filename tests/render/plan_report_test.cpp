@@ -142,6 +142,33 @@ TEST(PlanReport, CostAndMemoryGrowWithTheWork) {
   }
 }
 
+TEST(PlanReport, NamesFormAndBoundOfEveryObjectsVertices) {
+  SceneBuilder b(640, 480);
+  b.add(make_cube(), Shading::flat);
+  b.add(make_grid({2, 2}), Shading::flat, place({0, -1.5, 0}, 1e6));
+  Scene scene = b.look({0, 0, 5}).scene();
+  EXPECT_EQ(find_note(report_of(scene, 0), "vertices of \"object 0\""), nullptr) << "no error is stated";
+  scene.accuracy_pixels = 0.05;
+  const PlanReport report = report_of(scene, 0);
+  const PlanNote *cube = find_note(report, "vertices of \"object 0\""),
+                 *ground = find_note(report, "vertices of \"object 1\"");
+  ASSERT_TRUE(cube && ground);
+  EXPECT_EQ(cube->reason.rfind("fp32: at most 0.00", 0), 0u) << cube->reason;
+  EXPECT_EQ(ground->reason.rfind("two floats: at most 0.0", 0), 0u) << ground->reason;
+  EXPECT_NE(ground->reason.find("fp32 relative to a pivot may be"), std::string::npos) << ground->reason;
+  EXPECT_GT(ground->milliseconds, 0);
+  scene.accuracy_pixels = 1e-3;
+  EXPECT_NE(find_note(report_of(scene, 0), "vertices of \"object 0\"")->reason.find("warning: no form"),
+            std::string::npos);
+}
+
+TEST(PlanReport, NamesADepthBufferThatIsNotTheDefault) {
+  Scene scene = there_and_back();
+  EXPECT_EQ(find_note(report_of(scene, 0), "depth buffer"), nullptr);
+  scene.image.depth_format = DepthFormat::fixed24;
+  EXPECT_EQ(find_note(report_of(scene, 0), "depth buffer")->reason, "fixed24 is asked for");
+}
+
 TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {
   SceneBuilder b(64, 48);
   b.add(make_sphere({512, 256}), Shading::smooth);

@@ -69,6 +69,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"ChannelsText", "[image]\nchannels = \"RGBA\"", "2:12: channels is a string; an array is needed"},
         Wrong{"LaterSamples", "[image]\nsamples = 4", "2:11: samples = 4: not drawn by this version: 1 is"},
         Wrong{"WrongSamples", "[image]\nsamples = 3", "2:11: samples is 3; 1 is possible"},
+        Wrong{"UnknownDepthBuffer", "[image]\ndepth_buffer = \"fixed23\"",
+              "2:16: unknown depth_buffer \"fixed23\"; did you mean \"fixed24\"?"},
+        Wrong{"AccuracyWithoutPixels", "[accuracy]\n",
+              "1:1: accuracy needs pixels: how far a vertex may be from its exact place"},
+        Wrong{"AccuracyOfNothing", "[accuracy]\npixels = 0", "2:10: pixels is 0; a number above 0 is needed"},
         Wrong{"UnknownCompression", "[image]\ncompression = \"zipp\"",
               "2:15: unknown compression \"zipp\"; did you mean \"zips\"?"}),
     name_of);

@@ -36,14 +36,19 @@ double milliseconds(const Draw& draw, const CostModel& model) {
 
 std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, const CostModel& model) {
   std::vector<PlanNote> notes;
+  if (!(scene.accuracy_pixels > 0)) return notes;
   std::array<std::size_t, 3> rest{};
   std::size_t missed = 0;
   PlanNote others;
   for (const Draw& draw : plan.draws) {
-    if (!draw.accuracy) continue;
-    if (notes.size() < most_notes) {
-      notes.push_back({fmt::format("vertices of \"{}\"", scene.objects[draw.object].name), true,
-                       reason(*draw.accuracy, scene.accuracy_pixels), milliseconds(draw, model)});
+    const std::string item = fmt::format("vertices of \"{}\"", scene.objects[draw.object].name);
+    const bool room = notes.size() < most_notes;
+    if (!draw.accuracy) {
+      if (room) notes.push_back({item, true, "fp32, without a bound: it moves on springs", 0});
+      continue;
+    }
+    if (room) {
+      notes.push_back({item, true, reason(*draw.accuracy, scene.accuracy_pixels), milliseconds(draw, model)});
       continue;
     }
     ++rest[static_cast<std::size_t>(draw.accuracy->form)], missed += !draw.accuracy->suffices;
