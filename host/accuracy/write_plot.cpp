@@ -16,7 +16,7 @@ namespace morphcl::accuracy {
 namespace {
 
 // A panel is this large, with its key; families stand beside each other.
-constexpr int panel_width = 560, panel_height = 280, heading = 40;
+constexpr int panel_width = 560, panel_height = 310, heading = 40;
 
 const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57", "#b8860b", "#6a4c93", "#4d4d4d", "#e07b39",
                               "#008b8b", "#9e2a2b", "#7a9e1f", "#c2185b", "#5c6bc0", "#795548", "#00838f"};
@@ -50,6 +50,8 @@ Panel make_panel(const OperationReport& operation, const Family& family) {
   for (const Result& result : operation.results) {
     const double error = result.figures[measure];
     if (result.family != family.name || !(error - error == 0)) continue;
+    // What exploded says nothing by how much, and would take the whole axis.
+    if (result.figures[Measure::not_finite] > 0 || error > 1e12) continue;
     panel.results.push_back(&result);
     include(error);
   }
@@ -117,7 +119,7 @@ std::string plot_program(const Report& report, const std::string& path) {
   program +=
       "set logscale xy\nset format x '10^{%T}'\nset format y '10^{%T}'\nset border 3\nset tics nomirror\n"
       "set grid lw 0.5 lc rgb '#dddddd'\nset xlabel 'ns an element'\nset offsets graph 0.15, graph 0.15, 0, 0\n"
-      "set key outside right center vertical maxcols 1 noenhanced samplen 1.5 spacing 0.85 Left reverse font ',9'\nset "
+      "set key outside right center vertical maxcols 1 noenhanced samplen 1.5 spacing 0.75 Left reverse font ',8'\nset "
       "lmargin 11\nset rmargin 32\n";
   program += fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns,
                          quoted("Error against time. Filled: what morphcl computes; crosses: "
