@@ -40,6 +40,7 @@ TEST_F(Usage, FpsDividedByZero) { expect_usage_error({"--fps", "25/0"}, "--fps")
 TEST_F(Usage, ThreadsZero) { expect_usage_error({"--threads", "0"}, "--threads"); }
 TEST_F(Usage, ThreadsAbsurd) { expect_usage_error({"--threads", "100000"}, "1024"); }
 TEST_F(Usage, UnknownCompression) { expect_usage_error({"--compression", "gzip"}, "piz"); }
+TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "fixed8"}, "fixed24"); }
 TEST_F(Usage, UnknownChannel) { expect_usage_error({"--channels", "RGB"}, "'RGB' is no channel"); }
 TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--channels"); }
 TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
