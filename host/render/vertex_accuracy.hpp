@@ -23,7 +23,6 @@ struct VertexAccuracy {
   std::array<Row, 4> clip_rest{};  // of two_float: what rounding took from object_to_clip
   std::array<double, 3> bounds{};  // pixels, of each form; infinity: none is known
   bool suffices = true;            // the form's bound is within the stated error
-  bool operator==(const VertexAccuracy&) const = default;
 };
 
 }  // namespace morphcl
