@@ -71,8 +71,8 @@ struct Timeline {
   glm::dvec3 ambient{0.05};
 
   // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
-  // width, weights that drive no target, springs out of their limits, a camera node out of range, a constant that is not finite, a rotation of
-  // length 0, a fovy or fovx track on a projection that has no such field of view.
+  // width, weights that drive no target, springs out of their limits, a camera node out of range, a constant that is
+  // not finite, a rotation of length 0, a fovy or fovx track on a projection that has no such field of view.
   void validate() const;
 };
 

@@ -137,7 +137,8 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
   CLI::App& command =
       *app.add_subcommand("compare", "Compare frames with an fp64 render of themselves: what differs, and why");
   command.footer(
-      "Pixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show the\n"
+      "Pixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show "
+      "the\n"
       "same, as it is, of storage alone (half and float), and of fp32 before storage.");
   add_scene_options(command, options.scene);
   CLI::Option* frame =

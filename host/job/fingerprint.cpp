@@ -13,7 +13,8 @@ std::string fingerprint(const Scene& scene) {
   return text_hash(fmt::format(
       "morphcl {} size {}x{} color {} depth {} fps {}/{} depth buffer {} pixels {} content {} compression {}", version,
       image.width, image.height, image.color, image.depth, scene.timeline.time.fps_numerator,
-      scene.timeline.time.fps_denominator, name_of(image.depth_format), scene.accuracy_pixels, scene.content_hash, image.compression));
+      scene.timeline.time.fps_denominator, name_of(image.depth_format), scene.accuracy_pixels, scene.content_hash,
+      image.compression));
 }
 
 }  // namespace morphcl
