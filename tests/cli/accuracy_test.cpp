@@ -1,0 +1,93 @@
+// morphcl accuracy as a user runs it.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/scratch_folder.hpp"
+
+namespace morphcl::cli_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Accuracy : public ScratchFolder {
+ protected:
+  ToolResult run(std::vector<std::string> options, const ToolOptions& how = {}) {
+    options.insert(options.begin(), "accuracy");
+    return run_tool(options, how);
+  }
+};
+
+TEST_F(Accuracy, PrintsATableAndWritesTheFiles) {
+  const ToolResult result = run({"--quick", "--operation", "lerp", "clip", "--device", "none", "--out", path("out")});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("lerp: "));
+  EXPECT_THAT(result.out, HasSubstr("is enough"));
+  EXPECT_THAT(result.out, HasSubstr("no printed digit changes"));
+  EXPECT_THAT(result.out, HasSubstr("device: none"));
+  const nlohmann::json json = nlohmann::json::parse(read_file(path("out/accuracy.json")));
+  EXPECT_EQ(json["operations"].size(), 2u);
+  EXPECT_THAT(read_file(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
+}
+
+TEST_F(Accuracy, WithoutGnuplotTheOtherFilesComeAndOneLineSaysWhatIsMissing) {
+  std::filesystem::create_directory(path("empty"));
+  const ToolResult result = run({"--quick", "--operation", "lerp", "--device", "none", "--out", path("out")},
+                                {.environment = {{"PATH", path("empty")}}});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("morphcl: no plots: gnuplot is not installed"));
+  EXPECT_EQ(files(), (std::set<std::string>{"out/accuracy.csv", "out/accuracy.json"}));
+}
+
+TEST_F(Accuracy, TheDeviceGivesTheHostsBits) {
+  const ToolResult result = run({"--quick", "--operation", "point-transform", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  ASSERT_EQ(result.out_lines().size(), 2u);
+  const nlohmann::json head = nlohmann::json::parse(result.out_lines()[0]);
+  EXPECT_EQ(head["type"], "accuracy");
+  EXPECT_NE(head["machine"]["device"], "");
+  int on_device = 0;
+  const nlohmann::json operation = nlohmann::json::parse(result.out_lines()[1]);
+  for (const nlohmann::json& variant : operation["results"]) {
+    if (!variant.contains("device_bits")) continue;
+    EXPECT_EQ(variant["device_bits"], "same") << variant;
+    EXPECT_EQ(variant["timings"].size(), 3u) << "host, kernel, kernel with transfer";
+    ++on_device;
+  }
+  EXPECT_EQ(on_device, 3 * 6) << "six variants in three families";
+}
+
+TEST_F(Accuracy, UnknownOperationListsThemAll) {
+  const ToolResult result = run({"--operation", "lerq", "--device", "none", "--out", path("out")});
+  expect_one_line_error(result, 2, "'lerq' is no operation of the report");
+  EXPECT_THAT(result.err, HasSubstr("point-transform"));
+}
+
+TEST_F(Accuracy, HostileNamesStayOnOneLine) {
+  expect_one_line_error(run({"--operation", "a\nb\033[31m", "--device", "none"}), 2, "no operation");
+}
+
+TEST_F(Accuracy, BadOptionsAreUsageErrors) {
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--seed", "-1"},
+                                                                                       {"--seed", "one"},
+                                                                                       {"--operation"},
+                                                                                       {"--threads", "0"},
+                                                                                       {"--out"},
+                                                                                       {"--device", "reference"},
+                                                                                       {"surplus"}})
+    expect_one_line_error(run(options), 2, options[0] == "surplus" ? "surplus" : options[0]);
+}
+
+TEST_F(Accuracy, AnUnknownDeviceIsNamed) {
+  expect_one_line_error(run({"--quick", "--operation", "lerp", "--device", "no such device"}), 69, "no such device");
+}
+
+TEST_F(Accuracy, AFolderThatCannotBeMadeFailsBeforeAnythingIsMeasured) {
+  plant("file", "");
+  const ToolResult result = run({"--device", "none", "--out", path("file/out")});
+  expect_one_line_error(result, 73, "file");
+  EXPECT_EQ(files(), std::set<std::string>{"file"});
+}
+
+}  // namespace
+}  // namespace morphcl::cli_test
