@@ -50,7 +50,7 @@ BinaryFloat<Bits>::BinaryFloat(const BinaryFloat& other) {
 
 template <unsigned Bits>
 BinaryFloat<Bits>& BinaryFloat<Bits>::operator=(const BinaryFloat& other) {
-  in(*this) = in(other);
+  if (this != &other) in(*this) = in(other);
   return *this;
 }
 

@@ -35,16 +35,16 @@ typename Variant<Real>::Run run(const Planes<Stored>& planes, Function function,
 
 // function(float...) -> number or array, one argument a plane.
 template <std::size_t Inputs, class Function>
-Variant<float> elementwise32(std::string name, Function function) {
-  return {.name = std::move(name), .prepare = [function](const Batch& batch) {
+Variant<float> elementwise32(const std::string& name, Function function) {
+  return {.name = name, .prepare = [function](const Batch& batch) {
             return elementwise_detail::run<float>(batch.stored, function, std::make_index_sequence<Inputs>());
           }};
 }
 
 // function(double...) -> number or array, one argument a plane, of the unrounded inputs.
 template <std::size_t Inputs, class Function>
-Variant<double> elementwise64(std::string name, Function function) {
-  return {.name = std::move(name), .prepare = [function](const Batch& batch) {
+Variant<double> elementwise64(const std::string& name, Function function) {
+  return {.name = name, .prepare = [function](const Batch& batch) {
             return elementwise_detail::run<double>(batch.truth, function, std::make_index_sequence<Inputs>());
           }};
 }
