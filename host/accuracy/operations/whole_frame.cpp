@@ -123,6 +123,8 @@ class SceneRun {
 
   void run() {
     draw("reference renderer", *make_reference_renderer(), plan_, "host");
+    for (const DepthFormat format : {DepthFormat::forward_float, DepthFormat::fixed24, DepthFormat::fixed16})
+      draw_with_depth(format);
     if (settings_.session) {
       const auto device = make_device_renderer(settings_.session);
       draw("device renderer", *device, plan_, "device+transfer");
@@ -147,6 +149,20 @@ class SceneRun {
     result.place = place;
     result.compared = static_cast<std::size_t>(pixel_count);
     return result;
+  }
+
+  void draw_with_depth(DepthFormat format) {
+    Scene scene = test_.scene;
+    scene.image.depth_format = format;
+    const FramePlan plan = plan_frame(scene, 0);
+    FrameBuffer pixels(width, height, true, true);
+    const auto renderer = make_reference_renderer();
+    renderer->render(plan, pixels);
+    Result drawn = result(("depth as " + std::string(name_of(format))).c_str(), "host");
+    drawn.figures = figures_of(compare_with_fp64(scene, plan, pixels, reference::shown_pixels(plan), Truth::on_grid));
+    drawn.hash = hash_of(pixels);
+    drawn.timings.push_back(timed([&] { renderer->render(plan, pixels); }, "host"));
+    report_.results.push_back(std::move(drawn));
   }
 
   void draw(const char* name, Renderer& renderer, const FramePlan& plan, const char* where) {
