@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -139,8 +140,11 @@ std::string draw_plots(const Report& report, const std::string& path) {
   FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) return "no plots: gnuplot cannot be started";
   const std::string program = plot_program(report, path);
+  // One that is missing, or ends early, closes the pipe: that is told by its status, not by a signal that ends us.
+  const auto on_closed_pipe = std::signal(SIGPIPE, SIG_IGN);
   std::fwrite(program.data(), 1, program.size(), gnuplot);
   const int status = pclose(gnuplot);
+  std::signal(SIGPIPE, on_closed_pipe);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     return "no plots: gnuplot is not installed (apt-get install gnuplot-nox)";
