@@ -32,6 +32,9 @@ static inline uint next_entry(PagedBins* bins, uint tile) {
   return at;  // beyond capacity * PAGE: there is no room, the entry is only counted
 }
 
+// The first entry of the page that ends at `head`; 0 of none.
+static inline uint first_of_page(uint head) { return head ? (head - 1) / PAGE * PAGE : 0; }
+
 // The end of the page filled before that of `head`, or 0.
 static inline uint head_before(global const uint* next, uint head) {
   const uint page = next[(head - 1) / PAGE];

@@ -166,13 +166,23 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
     for (uint chunk = 0; chunk < chunks; chunk++) {
       global const uint* entries = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
       global const uint* next = entry_next + (size_t)chunk * frame->entry_pages;
-      for (uint head = entry_heads[(size_t)chunk * tiles + number]; head; head = head_before(next, head))
-        for (uint i = (head - 1) / PAGE * PAGE; i < head; i++)
+      for (uint head = entry_heads[(size_t)chunk * tiles + number]; head; head = head_before(next, head)) {
+        for (uint i = first_of_page(head); i < head; i++)
+          FETCH_AHEAD(&large[chunk * frame->large_capacity + (entries[i] & ~ENTIRE_TILE)]);
+        for (uint i = first_of_page(head); i < head; i++)
           if (frame->tests_depth)
             merge_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], background_depth(frame));
           else
             place_large_triangle(tile, &blocks, large, chunk * frame->large_capacity + entries[i], background_depth(frame));
+      }
     }
+  // What the next work-item begins with.
+  const uint next_number = (place + 1) * frame->tile_step % tiles;
+  for (uint chunk = 0; chunk < chunks; chunk++) {
+    const uint head = entry_heads[(size_t)chunk * tiles + next_number];
+    global const uint* entries = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
+    for (uint i = first_of_page(head); i < head; i += LANES) FETCH_AHEAD(&entries[i]);
+  }
 
   // ---- 4
   const Lanes content = lanes_of(blocks.content);

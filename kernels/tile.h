@@ -39,7 +39,7 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
   local Depth* depths = (local Depth*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
-    for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
+    for (uint i = first_of_page(head); i < head; i++) {
       const ulong key = fragments.keys[i];
       const Depth depth = depth_from_bits((uint)(key >> 32));
       const uint id = (uint)key;
@@ -55,7 +55,7 @@ static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
   local Depth* depths = (local Depth*)tile.depth;
   local uint* ids = (local uint*)tile.id;
   while (head) {
-    for (uint i = (head - 1) / PAGE * PAGE; i < head; i++) {
+    for (uint i = first_of_page(head); i < head; i++) {
       const ulong key = fragments.keys[i];
       const int place = fragments.places[i];
       depths[place] = depth_from_bits((uint)(key >> 32)), ids[place] = (uint)key;
@@ -141,18 +141,14 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
   }
 }
 
-typedef struct {
-  Depth least, greatest;
-} HeldDepths;
-
 // Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is held
-// or, without a depth test, all that it covers. Returns the least and the greatest depth held there then.
-static inline HeldDepths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
-                                      int first, int last, bool tests_depth) {
+// or, without a depth test, all that it covers. Returns the least depth held there then.
+static inline Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
+                                  int first, int last, bool tests_depth) {
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
   const uint id = t->id;
-  Depths least_held = NEAREST_DEPTH, greatest_held = FARTHEST_DEPTH;
+  Depths least_held = NEAREST_DEPTH;
   for (int y = first; y <= last; y++) {
     const int at = y * ROW_VECTORS + column / LANES;
     const Depths depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
@@ -162,12 +158,10 @@ static inline HeldDepths draw_in_rows(Tile tile, const TileEdges* edges, global 
     const Depths kept = select(held, depth, wins);
     tile.depth[at] = kept;
     tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
-    least_held = min(least_held, kept), greatest_held = max(greatest_held, kept);
+    least_held = min(least_held, kept);
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
-  HeldDepths depths;
-  depths.least = least_depth(least_held), depths.greatest = greatest_depth(greatest_held);
-  return depths;
+  return least_held;
 }
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
@@ -179,11 +173,9 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
     if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, background);
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;
-    const HeldDepths depths = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
-    // Rows that were left out may hold less than these.
-    const Depth least_held = last - first == TILE_BLOCK - 1 ? depths.least : FARTHEST_DEPTH;
-    blocks->least = max(blocks->least, select((Depths)(FARTHEST_DEPTH), (Depths)(least_held), LANE == block));
-    blocks->greatest = max(blocks->greatest, select((Depths)(FARTHEST_DEPTH), (Depths)(depths.greatest), LANE == block));
+    const Depths held = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
+    if (last - first < TILE_BLOCK - 1) continue;  // rows that were left out may hold less
+    blocks->least = max(blocks->least, select((Depths)(FARTHEST_DEPTH), (Depths)(least_depth(held)), LANE == block));
   }
   blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
@@ -209,6 +201,7 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   blocks->least = select(blocks->least, depth.least, replaces);
   blocks->greatest = select(blocks->greatest, depth.greatest, replaces);
   const int16 partly = ~misses & ~replaces;
+  blocks->greatest = select(blocks->greatest, max(blocks->greatest, depth.greatest), partly);  // at most this
   if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, background, true);
 }
 

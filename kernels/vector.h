@@ -96,6 +96,13 @@ static inline float greatest(float16 v) {
 #define STORE_PAST_CACHE(value, pointer) (*(pointer) = (value))
 #endif
 
+// Asks for what will be read soon: a hint.
+#ifdef MORPHCL_POCL
+#define FETCH_AHEAD(pointer) __builtin_prefetch((const void*)(size_t)(pointer))
+#else
+#define FETCH_AHEAD(pointer) ((void)(pointer))
+#endif
+
 // The inverse of GATHER_RECORDS for consecutive records: fields in, sixteen records of four words out.
 #define RECORDS_FROM(f0, f1, f2, f3, a, b, c, d)                                                         \
   (int16)(f0.s##a, f1.s##a, f2.s##a, f3.s##a, f0.s##b, f1.s##b, f2.s##b, f3.s##b, f0.s##c, f1.s##c,      \

@@ -53,6 +53,23 @@ TEST(DrawsVersion, IsAnotherOneWhenATargetComesOrGoes) {
   EXPECT_NE(found[2], found[3]);
 }
 
+// A pyramid stands far aside and reaches the view only by its target.
+TEST(DrawsVersion, StaysWhileAnObjectThatMayComeIntoViewIsOutOfIt) {
+  Scene scene = row_of_pyramids();
+  constexpr std::size_t aside = 5;
+  Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.objects[aside].mesh)];
+  for (glm::vec3& position : mesh.positions) position.x += 1e5f;
+  scene.timeline.weights[aside].tracks.push_back(
+      {0, keys(scene.timeline, Interpolation::linear, 1, {0, 0.25, 0.25, 1})});
+  const Planner planner(scene);
+  std::vector<FramePlan> plans;
+  for (const std::int64_t frame : {0, 1, 2, 3}) plans.push_back(planner.plan(frame));
+  EXPECT_EQ(plans[1].draws.size() + 1, plans[3].draws.size());
+  EXPECT_EQ(plans[0].draws_version, plans[1].draws_version);
+  EXPECT_EQ(plans[1].draws_version, plans[2].draws_version);
+  EXPECT_NE(plans[2].draws_version, plans[3].draws_version);
+}
+
 TEST(DrawsVersion, IsAnotherOneWhenAnObjectMovesOrHidesOrTheCameraMoves) {
   const Scene still = row_of_pyramids();
   const Timeline& timeline = still.timeline;

@@ -19,26 +19,26 @@ class DrawMemory {
     bool operator==(const View&) const = default;
   };
 
-  // Begins a frame; forgets the draws when the view is another one.
-  void look(const View& view) {
-    if (!(view == view_)) draws_.clear();
-    view_ = view, at_ = 0, missed_ = false;
+  // Begins a frame; forgets the draws when the view is another one. True: it is the one of the frame before.
+  bool look(const View& view) {
+    const bool same = view == view_;
+    if (!same) draws_.clear();
+    view_ = view, at_ = 0, replaced_ = false;
+    return same;
   }
   // The draw that an object whose node is still had under this view, or null. Objects are asked for in ascending order.
   const Draw* find(std::uint32_t object) {
     while (at_ < draws_.size() && draws_[at_].object < object) ++at_;
-    if (at_ < draws_.size() && draws_[at_].object == object) return &draws_[at_];
-    missed_ = true;
-    return nullptr;
+    return at_ < draws_.size() && draws_[at_].object == object ? &draws_[at_] : nullptr;
   }
-  // The frame has another draw than the one that was found.
-  void replace() { missed_ = true; }
+  // A still object that is drawn was not found, or its draw has changed.
+  void replace() { replaced_ = true; }
   // Takes those of the frame's draws whose node is still, to be found in the next one. Returns the frame's number for
   // FramePlan::draws_version.
   template <class IsStill>
   std::uint64_t remember(const std::vector<Draw>& draws, const IsStill& is_still) {
     const auto still = static_cast<std::size_t>(std::count_if(draws.begin(), draws.end(), is_still));
-    const bool same = !missed_ && still == draws_.size();
+    const bool same = !replaced_ && still == draws_.size();
     if (!same) {
       draws_.clear();
       std::copy_if(draws.begin(), draws.end(), std::back_inserter(draws_), is_still);
@@ -51,7 +51,7 @@ class DrawMemory {
   View view_;
   std::vector<Draw> draws_;
   std::size_t at_ = 0;
-  bool missed_ = false;
+  bool replaced_ = false;
   std::uint64_t version_ = 0;
 };
 

@@ -15,7 +15,6 @@ class ElasticShapes {
  public:
   explicit ElasticShapes(const Scene& scene) : scene_(scene) {}  // which outlives this
 
-  bool is_elastic(std::size_t object) const { return scene_.timeline.weights[object].elastic.has_value(); }
   // A pure function of the object and the frame; the object is elastic. Error(bad_input): too many vertices, a motion
   // that overflows.
   std::shared_ptr<const DisplacedPositions> at(std::size_t object, std::int64_t frame);

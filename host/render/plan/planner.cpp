@@ -53,8 +53,9 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
 struct ObjectFacts {
   int mesh, node;
   bool has_primitives;
-  bool is_still;  // its node never moves and it is no elastic body: only its weights may change
-  bool morphs;    // some weight has a track
+  bool is_still;    // its node never moves and it is no elastic body: only its weights may change
+  bool morphs;      // some weight has a track
+  bool is_elastic;  // an elastic body
 };
 
 std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler& nodes) {
@@ -67,7 +68,7 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
     // Weights decide how accurate vertices have to be.
     const bool only_weights_change = !weights.elastic && !(morphs && scene.accuracy_pixels > 0);
     facts.push_back({object.mesh, object.node, has_primitives(object, scene.meshes[object.mesh]),
-                     nodes.is_still(object.node) && only_weights_change, morphs});
+                     nodes.is_still(object.node) && only_weights_change, morphs, weights.elastic.has_value()});
   }
   return facts;
 }
@@ -124,7 +125,7 @@ struct Planner::Impl {
   void add_light(const LightState& light, FramePlan& plan) const;
   void add_draws(const ViewVolume& volume, FramePlan& plan);
   void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
-  std::shared_ptr<const DisplacedPositions> displaced_positions(std::size_t object, std::int64_t frame);  // or null
+  std::shared_ptr<const DisplacedPositions> displaced_positions(std::size_t object, std::int64_t frame);
 
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};
@@ -140,7 +141,7 @@ struct Planner::Impl {
   NodeSampler nodes;
   const ObjectTree tree;
   const std::vector<ObjectFacts> facts;
-  ObjectTree::InView in_view;
+  ObjectTree::InView in_view;  // of the last frame's view
   DrawMemory memory;
   SharedWeights weights;
   ElasticShapes elastic;
@@ -187,7 +188,7 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
     object_to_eye = plan.world_to_eye * nodes.to_world(object.node);
     object_to_clip = volume.eye_to_clip * object_to_eye;
   }
-  const auto displaced = displaced_positions(object_index, plan.frame);
+  const auto displaced = object.is_elastic ? displaced_positions(object_index, plan.frame) : nullptr;
   // What is inside the view at all times is so now, and what is inside the view is inside the guard band.
   if (!inside) {
     const BoundedBox box = bounded(displaced ? displaced->box : meshes[object.mesh].at(targets));
@@ -198,7 +199,7 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
     Draw& draw = before ? plan.draws.emplace_back(*before) : plan.draws.emplace_back();
     if (!before) make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
-    if (before && !same_targets(draw.targets, before->targets)) memory.replace();
+    if (object.is_still && !(before && same_targets(draw.targets, before->targets))) memory.replace();
     draw.displaced = displaced;
     if (!before && !displaced && scene.accuracy_pixels > 0)
       choose_vertex_form({volume.eye_to_clip, plan.world_to_eye, nodes.to_world(object.node), meshes[object.mesh],
@@ -211,7 +212,6 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
 }
 
 std::shared_ptr<const DisplacedPositions> Planner::Impl::displaced_positions(std::size_t object, std::int64_t frame) {
-  if (!elastic.is_elastic(object)) return nullptr;
   try {
     return elastic.at(object, frame);
   } catch (const Error& error) {
@@ -222,10 +222,10 @@ std::shared_ptr<const DisplacedPositions> Planner::Impl::displaced_positions(std
 
 void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
   plan.clips = !options.clipping;
-  memory.look({plan.world_to_eye, volume.eye_to_clip, !plan.lights.empty()});
+  const bool same_view = memory.look({plan.world_to_eye, volume.eye_to_clip, !plan.lights.empty()});
   plan.draws.reserve(drawn_before);
   if (options.objects_out_of_view) {
-    tree.find(HalfSpaces(volume.view, volume.eye_to_clip * plan.world_to_eye), in_view);
+    if (!same_view) tree.find(HalfSpaces(volume.view, volume.eye_to_clip * plan.world_to_eye), in_view);
     in_view.candidates.for_each([&](std::size_t object) { add_draw(object, volume, plan); });
   } else {
     in_view.inside.clear(scene.objects.size());
