@@ -143,7 +143,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
 
 // Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is held
 // or, without a depth test, all that it covers. Returns the least depth held there then.
-static inline Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
+ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
                                   int first, int last, bool tests_depth) {
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
@@ -173,7 +173,9 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
     if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, background);
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;
-    const Depths held = draw_in_rows(tile, edges, t, corner, column, first, last, tests_depth);
+    // Two loops, each without the question.
+    const Depths held = tests_depth ? draw_in_rows(tile, edges, t, corner, column, first, last, true)
+                                    : draw_in_rows(tile, edges, t, corner, column, first, last, false);
     if (last - first < TILE_BLOCK - 1) continue;  // rows that were left out may hold less
     blocks->least = max(blocks->least, select((Depths)(FARTHEST_DEPTH), (Depths)(least_depth(held)), LANE == block));
   }
