@@ -61,7 +61,7 @@ class DeviceRenderer : public Renderer {
     const FramePlanes planes = planes_.planes(frame);
     layout::FrameConstants constants = tables_.frame;
     constants.keeps_blank_tiles &= planes.notes_hold ? 1u : 0u;
-    const FinishAtExit finish_before_tables_go(queue());
+    FinishAtExit finish_before_tables_go(queue());
     upload_tables();
     set_chunks(constants);
     pools_.guess(constants);
@@ -74,6 +74,7 @@ class DeviceRenderer : public Renderer {
       shade(constants, planes);
       drawn = finish(constants, planes);
     }
+    finish_before_tables_go.not_needed();
     kept_.remember(tables_);
   }
 
@@ -92,7 +93,9 @@ class DeviceRenderer : public Renderer {
   class FinishAtExit {
    public:
     explicit FinishAtExit(const cl::CommandQueue& queue) : queue_(queue) {}
+    void not_needed() { needed_ = false; }  // the queue has finished
     ~FinishAtExit() {
+      if (!needed_) return;
       try {
         queue_.finish();
       } catch (const cl::Error&) {
@@ -104,6 +107,7 @@ class DeviceRenderer : public Renderer {
 
    private:
     cl::CommandQueue queue_;
+    bool needed_ = true;
   };
 
   void upload_tables() {

@@ -22,7 +22,7 @@ class FramePlaneCache {
   FramePlanes planes(FrameBuffer& frame);
 
   // Waits for the queue and brings the frame to host memory on devices that keep their own copy; on a CPU that costs
-  // next to nothing.
+  // next to nothing. What it gives back to the device is still queued then; it was only read, so nothing is copied.
   static void bring_to_host(const cl::CommandQueue& queue, const FramePlanes& planes);
 
  private:
