@@ -5,11 +5,13 @@ namespace morphcl::cli {
 namespace {
 constexpr int side = 64;  // pixels: one tile
 
-// Two triangles that cross the frame, one of them through the near plane, with one target of each form.
-Mesh small_mesh() {
+enum class Reach { in_view, through_near_plane };
+
+// Two triangles that cross the frame, with one target of each form.
+Mesh small_mesh(Reach reach) {
   Mesh mesh;
   mesh.name = "warm";
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, 8}};
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, reach == Reach::in_view ? 1 : 8}};
   mesh.normals.assign(4, glm::vec3(0, 0, 1));
   mesh.colors.assign(4, glm::vec4(1));
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
@@ -28,20 +30,24 @@ Mesh small_mesh() {
   return mesh;
 }
 
-Scene scene_with(const Projection& projection, bool color, bool depth) {
+struct Channels {
+  bool color, depth;
+};
+
+Scene scene_with(const Projection& projection, Reach reach, Channels channels, const std::vector<Shading>& shadings) {
   Scene scene;
   scene.name = "warm";
   scene.image.width = scene.image.height = side;
-  scene.image.color = color;
-  scene.image.depth = depth;
-  scene.meshes = {small_mesh()};
+  scene.image.color = channels.color;
+  scene.image.depth = channels.depth;
+  scene.meshes = {small_mesh(reach)};
   scene.timeline.nodes = {Node{}};
   scene.timeline.camera.projection = projection;
   Light point;
   point.kind = LightKind::point;
   point.falloff = true;
   scene.timeline.lights = {Light{}, point};
-  for (Shading shading : {Shading::flat, Shading::smooth, Shading::unlit, Shading::wireframe}) {
+  for (const Shading shading : shadings) {
     Object object;
     object.name = "object" + std::to_string(scene.objects.size());
     object.material.shading = shading;
@@ -55,8 +61,11 @@ Scene scene_with(const Projection& projection, bool color, bool depth) {
 }  // namespace
 
 std::vector<Scene> warm_scenes() {
-  return {scene_with(Perspective{}, true, true), scene_with(Orthographic{}, true, false),
-          scene_with(Perspective{}, false, true)};
+  const std::vector<Shading> all = {Shading::flat, Shading::smooth, Shading::unlit, Shading::wireframe};
+  // Stages share launches in small frames, where nothing is clipped and where nothing is flat.
+  return {scene_with(Perspective{}, Reach::through_near_plane, {true, true}, all),
+          scene_with(Perspective{}, Reach::through_near_plane, {false, true}, {Shading::smooth}),
+          scene_with(Orthographic{}, Reach::in_view, {true, false}, all)};
 }
 
 }  // namespace morphcl::cli

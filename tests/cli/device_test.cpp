@@ -100,6 +100,26 @@ TEST_F(Device, GivesTheBitsOfTheReferenceWithColdWarmAndDamagedCache) {
   EXPECT_EQ(hash({}), expected) << "damaged";
 }
 
+// Nothing is compiled, and so nothing stored, by what is rendered afterwards: small or in many parts, lit by face or by
+// vertex, clipped or not.
+TEST_F(Device, WarmCompilesEveryKernel) {
+  const std::string sphere = "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [128, 64]\n";
+  const std::string close = "[camera]\neye = [0, 0, 1.5]\nnear = 1.0\n";
+  plant("smooth.toml", sphere);
+  plant("flat.toml", sphere + "shading = \"flat\"\n");
+  plant("smooth_clipped.toml", close + sphere);
+  plant("flat_clipped.toml", close + sphere + "shading = \"flat\"\n");
+  ASSERT_EQ(run_tool({"warm"}, with_cache()).code, 0);
+  const std::set<std::string> stored = files();
+  for (const std::string shot : {"shot.toml", "smooth.toml", "flat.toml", "smooth_clipped.toml", "flat_clipped.toml"}) {
+    const ToolResult result = run_tool({"render", path(shot), "--frames", "0", "-o", path("frame.exr")}, with_cache());
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::set<std::string> now = files();
+    now.erase("frame.exr");
+    EXPECT_EQ(now, stored) << shot;
+  }
+}
+
 TEST_F(Device, WarmOfTheReferenceRendererIsAMistake) {
   expect_one_line_error(run_tool({"warm", "--device", "reference"}), 2, "compiles nothing");
 }
