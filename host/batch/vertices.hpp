@@ -40,10 +40,11 @@ class Vertices {
   std::span<const std::span<Real>> arrays() const { return {arrays_.data(), array_count(layout_)}; }
 
   // Coordinate 0, 1 or 2 of vertex i is coordinates(axis)[i * stride()], and w of xyzw is carried()[i * stride()].
+  // Of no vertices: where the array is, which may be nowhere.
   Real* coordinates(std::size_t axis) const {
-    return layout_ == VertexLayout::separate ? arrays_[axis].data() : arrays_[0].data() + axis;
+    return layout_ == VertexLayout::separate ? arrays_[axis].data() : in_vertex(axis);
   }
-  Real* carried() const { return arrays_[0].data() + 3; }
+  Real* carried() const { return in_vertex(3); }
   std::size_t stride() const { return reals_per_vertex(layout_); }
 
   Vertices part(std::size_t first, std::size_t count) const;
@@ -53,6 +54,7 @@ class Vertices {
   friend class Vertices;
   Vertices(VertexLayout layout, std::array<std::span<Real>, 3> arrays, std::size_t count)
       : layout_(layout), arrays_(arrays), count_(count) {}
+  Real* in_vertex(std::size_t real) const { return arrays_[0].data() + (count_ == 0 ? 0 : real); }
 
   VertexLayout layout_;
   std::array<std::span<Real>, 3> arrays_;

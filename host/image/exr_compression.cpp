@@ -71,9 +71,10 @@ bool is_lossless(Imf::Compression compression) {
   return entry && entry->lossless;
 }
 
-int lines_per_chunk(Imf::Compression compression) {
-  const Entry* entry = find(compression);
-  return entry ? entry->lines : 0;
+int lines_per_chunk(int compression) {
+  for (const Entry& entry : table)
+    if (static_cast<int>(entry.compression) == compression) return entry.lines;
+  return 0;
 }
 
 }  // namespace morphcl

@@ -20,6 +20,6 @@ std::string_view compression_name(Imf::Compression compression);  // "unknown" f
 bool is_lossless(Imf::Compression compression);
 
 // Scan lines that are compressed together; 0 for what this library does not know.
-int lines_per_chunk(Imf::Compression compression);
+int lines_per_chunk(int compression);
 
 }  // namespace morphcl

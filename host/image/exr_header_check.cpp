@@ -95,8 +95,7 @@ bool check_attribute(HeaderBytes& header, Part& part) {
   const std::uint64_t end = header.position() + static_cast<std::uint64_t>(size);
   if (name == "dataWindow" && size == 16) check_data_window(header, part);
   if (name == "channels") check_channels(header, end);
-  if (name == "compression" && size == 1)
-    part.lines_a_chunk = lines_per_chunk(static_cast<Imf::Compression>(header.byte()));
+  if (name == "compression" && size == 1) part.lines_a_chunk = lines_per_chunk(header.byte());
   if (name == "tiles" && size == 9) {
     const std::int64_t width = header.word(), height = header.word();
     check_side("tile", width, height);

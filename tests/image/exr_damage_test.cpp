@@ -52,8 +52,8 @@ ErrorKind kind_of_failure(const std::vector<char>& bytes) {
   return kind_of_failure(folder / "a.exr");
 }
 
-// Replaces the 32-bit number `offset` bytes into the value of the attribute.
-std::vector<char> with_number(std::vector<char> bytes, const std::string& name, std::size_t offset,
+// Replaces the 32-bit number `offset` bytes into the value of the attribute; at -4 is its length.
+std::vector<char> with_number(std::vector<char> bytes, const std::string& name, std::ptrdiff_t offset,
                               std::int32_t value) {
   const std::string key = name + '\0';
   const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
@@ -174,7 +174,7 @@ TEST(DamagedExr, HugeAndUpsideDownWindowsAreRefused) {
   const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
   constexpr std::int32_t most = 2147483647, least = -2147483647 - 1;
   const struct {
-    std::size_t side;  // offset of first x, first y, last x, last y
+    std::ptrdiff_t side;  // offset of first x, first y, last x, last y
     std::int32_t value;
   } cases[] = {{8, most}, {12, most}, {8, 100000}, {12, 100000}, {0, 40}, {4, 30}, {0, most}, {8, -1}, {12, least}};
   for (const auto& [side, value] : cases)
@@ -202,7 +202,7 @@ TEST(DamagedExr, AttributeLongerThanTheFileIsRefusedByName) {
   const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
   for (const std::string name : {"morphclFingerprint", "channels", "worldToNDC", "pixelHash"})
     for (const std::int32_t size : {2147483647, -1, -2147483647 - 1, 100'000'000}) try {
-        decode_exr(with_number(whole, name, static_cast<std::size_t>(-4), size));
+        decode_exr(with_number(whole, name, -4, size));
         ADD_FAILURE() << name << " of " << size << " bytes was read";
       } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::bad_input);

@@ -110,8 +110,8 @@ TEST(Axonometric, ImpossibleViewsAreErrors) {
   for (const glm::dvec3& r : {glm::dvec3(1, 0.5, 0.5), glm::dvec3(0), glm::dvec3(1, 1, -1), glm::dvec3(nan, 1, 1),
                               glm::dvec3(1, INFINITY, 1)})
     expect_error([&] { view_from_ratios(r); }, ErrorKind::usage, "ratios are");
-  for (const auto& [x, z] : {std::pair{45.0, 45.0}, {0.0, 0.0}, {-1.0, 30.0}, {nan, 30.0}, {80.0, 20.0}})
-    expect_error([&] { view_from_axis_angles(x, z); }, ErrorKind::usage, "axes' angles");
+  for (const auto& angles : {std::pair{45.0, 45.0}, {0.0, 0.0}, {-1.0, 30.0}, {nan, 30.0}, {80.0, 20.0}})
+    expect_error([&] { view_from_axis_angles(angles.first, angles.second); }, ErrorKind::usage, "axes' angles");
   for (const double e : {91.0, -90.5, nan})
     expect_error([&] { view_from_angles(0, e); }, ErrorKind::usage, "elevation");
   expect_error([&] { view_from_angles(nan, 0); }, ErrorKind::usage, "");

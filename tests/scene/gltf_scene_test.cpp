@@ -119,7 +119,7 @@ TEST_F(GltfScene, WhatIsNotDrawnIsNamedInOneWarning) {
   GltfBuilder file = triangle_file();
   file.json["skins"] = {{{"joints", {0}}}};
   file.json["nodes"][0]["skin"] = 0;
-  file.json["textures"] = {nlohmann::json::object()};
+  file.json["textures"] = nlohmann::json::array({nlohmann::json::object()});
   file.json["extensionsUsed"] = {"KHR_materials_unlit", "ACME_fur"};
   EXPECT_EQ(import(file).warnings, std::vector<std::string>{"not drawn: extension ACME_fur, skins, textures"});
 }
