@@ -254,11 +254,10 @@ class DeviceRenderer : public Renderer {
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
   // drawn again.
   bool finish(const layout::FrameConstants& constants, const FramePlanes& planes) {
-    uint overflow = 0;
     checked("waiting for the frame",
-            [&] { queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflow, &overflow); });
+            [&] { queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflowed_, &overflowed_); });
     FramePlaneCache::bring_to_host(queue(), planes);
-    if (overflow == 0) return true;
+    if (overflowed_ == 0) return true;
     overflow_.map<uint>(queue(), 1)[0] = 0;
     const auto status = status_.map<const layout::ChunkStatus>(queue(), constants.chunk_count);
     uint clipped = 0;
@@ -275,6 +274,7 @@ class DeviceRenderer : public Renderer {
   std::shared_ptr<Session> session_;
   MeshStore meshes_;
   Pools pools_;
+  uint overflowed_ = 0;                                     // read by the queue, which may finish after an error
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   std::map<std::pair<DepthFormat, std::string>, cl::Kernel> kernels_;
   FramePlaneCache planes_{session_->context()};

@@ -46,13 +46,13 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
  protected:
   void SetUp() override { scene_ = lively_scene(GetParam()); }
 
-  void expect_parity(const Planner& planner, std::int64_t frame, FrameBuffer& buffer) {
+  void expect_parity(const Planner& planner, std::int64_t frame, FrameBuffer& buffer, bool anything_in_view = true) {
     const FramePlan plan = planner.plan(frame);
     FrameBuffer expected(width, height, true, true);
     reference_->render(plan, expected);
     device_->render(plan, buffer);
     EXPECT_TRUE(same_pixels(expected, buffer)) << "frame " << frame;
-    EXPECT_GT(covered_pixels(expected), 0u);
+    EXPECT_EQ(covered_pixels(expected) > 0, anything_in_view) << "frame " << frame;
   }
 
   Scene scene_;
@@ -115,6 +115,34 @@ TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
   FrameBuffer buffer(width, height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
     expect_parity(planner, frame, buffer);
+}
+
+// First among the draws, so that the others change their place.
+TEST_P(KeptFrame, WhatMovesLeavesAndOnlyStillObjectsRemain) {
+  SceneBuilder builder(width, height);
+  builder.look({3, 2, 6});
+  for (int i = 0; i < 3; ++i) builder.add(make_cube(), GetParam(), place({1.5 * i - 1.5, 0, 0}));
+  scene_ = builder.scene();
+  Timeline& timeline = scene_.timeline;
+  timeline.nodes[0].translation_track = steps(timeline, 3, {0, 0, 0, 0, 0.5, 0, 0, 1, 0, 0, 1, 0, 0, 99, 0, 0, 99, 0});
+  timeline.nodes[0].visible_track = steps(timeline, 1, {1, 1, 0, 0, 1, 1, 1});
+  const Planner planner(scene_);
+  FrameBuffer buffer(width, height, true, true);
+  for (const std::int64_t frame : {0, 1, 2, 3, 1, 4, 5, 0, 2, 0, 5, 5}) expect_parity(planner, frame, buffer);
+}
+
+TEST_P(KeptFrame, TheCameraTurnsAwayFromEverythingAndBack) {
+  SceneBuilder builder(width, height);
+  builder.look({3, 2, 6});
+  builder.add(make_pyramid_to_cube(), GetParam(), place({0, 0, 0}, 0.01) * place({-100, -100, -65}));
+  scene_ = builder.scene();
+  Timeline& timeline = scene_.timeline;
+  timeline.weights[0].weights[0] = 0.5;
+  timeline.camera.target_track = steps(timeline, 3, {0, 0, 0, 0, 0, 0, 9, 2, 9, 9, 2, 9, 0, 0, 0});
+  const Planner planner(scene_);
+  FrameBuffer buffer(width, height, true, true);
+  for (const std::int64_t frame : {0, 1, 2, 3, 4, 2, 2, 0})
+    expect_parity(planner, frame, buffer, frame != 2 && frame != 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shadings, KeptFrame, ::testing::Values(Shading::flat, Shading::smooth, Shading::wireframe));

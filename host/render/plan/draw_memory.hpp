@@ -23,7 +23,7 @@ class DrawMemory {
   bool look(const View& view) {
     const bool same = view == view_;
     if (!same) draws_.clear();
-    view_ = view, at_ = 0, replaced_ = false;
+    view_ = view, at_ = 0, changed_ = !same;
     return same;
   }
   // The draw that an object whose node is still had under this view, or null. Objects are asked for in ascending order.
@@ -32,18 +32,20 @@ class DrawMemory {
     return at_ < draws_.size() && draws_[at_].object == object ? &draws_[at_] : nullptr;
   }
   // A still object that is drawn was not found, or its draw has changed.
-  void replace() { replaced_ = true; }
+  void replace() { changed_ = true; }
   // Takes those of the frame's draws whose node is still, to be found in the next one. Returns the frame's number for
   // FramePlan::draws_version.
   template <class IsStill>
   std::uint64_t remember(const std::vector<Draw>& draws, const IsStill& is_still) {
     const auto still = static_cast<std::size_t>(std::count_if(draws.begin(), draws.end(), is_still));
-    const bool same = !replaced_ && still == draws_.size();
-    if (!same) {
+    const bool same_still = !changed_ && still == draws_.size(), all_still = still == draws.size();
+    if (!same_still) {
       draws_.clear();
       std::copy_if(draws.begin(), draws.end(), std::back_inserter(draws_), is_still);
     }
-    if (!same || still != draws.size()) ++version_;
+    // A frame with others is like none: what moves may come, go and change.
+    if (!same_still || !all_still || !all_were_still_) ++version_;
+    all_were_still_ = all_still;
     return version_;
   }
 
@@ -51,7 +53,8 @@ class DrawMemory {
   View view_;
   std::vector<Draw> draws_;
   std::size_t at_ = 0;
-  bool replaced_ = false;
+  bool changed_ = false;         // the view or some still draw is not what it was
+  bool all_were_still_ = false;  // nothing else was drawn in the frame before
   std::uint64_t version_ = 0;
 };
 
