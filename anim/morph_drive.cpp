@@ -31,4 +31,9 @@ std::int64_t MorphDrive::end_tick() const {
   return end;
 }
 
+bool MorphDrive::on_springs() const {
+  return std::any_of(weights.tracks.begin(), weights.tracks.end(),
+                     [](const WeightTrack& driven) { return driven.track.interpolation() == Interpolation::spring; });
+}
+
 }  // namespace morphcl

@@ -15,9 +15,12 @@ struct MorphDrive {
 
   // The sum of the targets' displacements by their weights at the tick. Error(bad_input) when a weight overflows.
   void displacements_at(std::int64_t tick, Displacements& out) const;
-  // From the first of these ticks something moves, from the last nothing does. Not in that order: nothing ever does.
+  // From the first of these ticks something moves; at the last all keys are over, and springs as good as settled or 10
+  // s further. Not in that order: nothing ever moves.
   std::int64_t first_tick() const;
   std::int64_t end_tick() const;
+  // Some weight swings on a spring: it may go on long after end_tick(), however lightly it is damped.
+  bool on_springs() const;
 };
 
 }  // namespace morphcl

@@ -26,6 +26,7 @@ SteppedBody::SteppedBody(SpringNet net, EdgeRest rest, MorphDrive drive, const T
     : net_(std::move(net)),
       rest_(rest),
       drive_(std::move(drive)),
+      on_springs_(drive_.on_springs()),
       time_(time),
       most_kept_(
           std::max<std::size_t>(kept_bytes / (2 * sizeof(glm::dvec3) * std::max<std::size_t>(net_.masses, 1)), 2)),
@@ -51,7 +52,8 @@ void SteppedBody::rest_at(std::int64_t tick, Displacements& out) const {
 
 void SteppedBody::go_on_one_frame() {
   const std::int64_t start = time_.frame_ticks(frame_), length = time_.ticks_per_frame() / steps_per_frame;
-  const bool driven = frame_ < end_frame_;
+  const bool keys_are_over = frame_ >= end_frame_, driven = !keys_are_over || on_springs_;
+  bool moved = false;
   NetState next = state_;
   Displacements from(net_.masses), to(net_.masses);
   drive_.displacements_at(start, from);
@@ -61,11 +63,12 @@ void SteppedBody::go_on_one_frame() {
     else
       to = from;
     stepper_.step(next, from, to);
+    moved = moved || from != to;
     from.swap(to);
   }
   if (!std::all_of(next.position.begin(), next.position.end(), [](const glm::dvec3& p) { return is_finite(p); }))
     throw Error(ErrorKind::bad_input, "", "the elastic motion overflows; use smaller weights");
-  if (!driven && next == state_) still_from_ = frame_;
+  if (keys_are_over && !moved && next == state_) still_from_ = frame_;
   state_ = std::move(next);
   ++frame_;
 }

@@ -2,8 +2,8 @@
 //
 // Steps lie on a fixed grid of sixteenths of a frame that begins with the frame at or before the first key, so a
 // frame's state does not depend on which frames were asked for. States are kept at every stride-th frame; when they
-// take more than a fixed memory, every second one is dropped. After the last key stepping ends once a frame leaves
-// every bit as it was.
+// take more than a fixed memory, every second one is dropped. After the last key stepping ends once a frame in which
+// the targets stay leaves every bit as it was.
 #pragma once
 
 #include <map>
@@ -32,10 +32,11 @@ class SteppedBody : public ElasticBody {
   const SpringNet net_;
   const EdgeRest rest_;
   const MorphDrive drive_;
+  const bool on_springs_;
   const TimeBase time_;
   const std::size_t most_kept_;
   const TrBdf2 stepper_;
-  std::int64_t first_frame_ = 0, end_frame_ = 0;  // nothing moves before and is driven after
+  std::int64_t first_frame_ = 0, end_frame_ = 0;  // nothing moves before; no key comes after
   NetState state_;
   std::int64_t frame_ = 0;                  // of state_
   std::optional<std::int64_t> still_from_;  // the frame that no later one differs from

@@ -46,7 +46,7 @@ class Track {
   Interpolation interpolation() const { return spring_ ? Interpolation::spring : interpolation_; }
   std::int64_t first_tick() const { return ticks_.front(); }
   std::int64_t last_tick() const { return ticks_.back(); }  // of the keys
-  // From here on nothing moves: the last key; a spring's once it has settled_seconds() after it.
+  // The end of what has to be shown: the last key; a spring's settling_seconds() after it, when it may still swing.
   std::int64_t end_tick() const;
   // Writes width() values; the track is not empty. They are finite, except that a cubic or spring track with values
   // near the largest double may overflow. A rotation that passes exactly through 0 keeps the value of the key before.

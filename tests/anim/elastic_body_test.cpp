@@ -176,6 +176,33 @@ TEST(ElasticBody, AMotionThatEndedCostsNothing) {
   EXPECT_EQ(x, later);
 }
 
+// Followed for as long as it swings: a key that repeats the last value much later changes nothing before it.
+TEST(ElasticBody, AWeightThatSwingsOnAndOnDrivesOnAndOn) {
+  const auto driven_until = [](std::int64_t last_frame) {
+    MorphDrive drive = chain_drive(3, 4);
+    drive.weights.tracks[0].track =
+        Track::on_spring({0.5, 0}, Interpolation::step, 1, false, chain_time.ticks_per_second(),
+                         {0, chain_time.frame_ticks(1), chain_time.frame_ticks(last_frame)}, {0, 1, 1});
+    return drive;
+  };
+  SpringNet net = stiff_chain(3);
+  net.damping = 200;
+  SteppedBody body(net, EdgeRest::driven, driven_until(2), chain_time);
+  SteppedBody longer(net, EdgeRest::driven, driven_until(600), chain_time);
+  Displacements x, expected, before;
+  double largest_step = 0;
+  for (std::int64_t frame = 300; frame < 400; ++frame) {
+    body.displacements_at(frame, x);
+    longer.displacements_at(frame, expected);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(x[i].x, expected[i].x, 1e-9) << "frame " << frame << ", mass " << i;
+      if (!before.empty()) largest_step = std::max(largest_step, std::abs(x[i].x - before[i].x));
+    }
+    before = x;
+  }
+  EXPECT_GT(largest_step, 1e-3) << "nothing swings";
+}
+
 TEST(ElasticBody, TheMethodFollowsFromTheNetAndItsKeys) {
   const auto method = [](const SpringNet& net, const MorphDrive& drive) {
     return make_elastic_body(net, EdgeRest::driven, drive, chain_time)->method();
