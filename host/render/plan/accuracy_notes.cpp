@@ -38,13 +38,16 @@ std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, 
   std::vector<PlanNote> notes;
   if (!(scene.accuracy_pixels > 0)) return notes;
   std::array<std::size_t, 3> rest{};
-  std::size_t missed = 0;
+  std::size_t missed = 0, unbounded = 0;
   PlanNote others;
   for (const Draw& draw : plan.draws) {
     const std::string item = fmt::format("vertices of \"{}\"", scene.objects[draw.object].name);
     const bool room = notes.size() < most_notes;
     if (!draw.accuracy) {
-      if (room) notes.push_back({item, true, "fp32, without a bound: it moves on springs", 0});
+      if (room)
+        notes.push_back({item, true, "fp32, without a bound: it moves on springs", 0});
+      else
+        ++unbounded;
       continue;
     }
     if (room) {
@@ -54,11 +57,13 @@ std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, 
     ++rest[static_cast<std::size_t>(draw.accuracy->form)], missed += !draw.accuracy->suffices;
     others.milliseconds += milliseconds(draw, model);
   }
-  if (rest == std::array<std::size_t, 3>{}) return notes;
+  if (rest == std::array<std::size_t, 3>{} && unbounded == 0) return notes;
   others.item = "vertices of the others", others.done = true;
   for (const VertexForm form : vertex_forms)
     if (const std::size_t count = rest[static_cast<std::size_t>(form)])
       others.reason += fmt::format("{}{} in {}", others.reason.empty() ? "" : ", ", count, name_of(form));
+  if (unbounded)
+    others.reason += fmt::format("{}{} in fp32 without a bound", others.reason.empty() ? "" : ", ", unbounded);
   if (missed) others.reason += fmt::format("; warning: {} may be off by more than stated", missed);
   notes.push_back(std::move(others));
   return notes;
