@@ -6,6 +6,7 @@
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "host/accuracy/report.hpp"
 #include "host/accuracy/write_files.hpp"
 #include "host/accuracy/write_plot.hpp"
@@ -66,7 +67,7 @@ int accuracy_command(const AccuracyOptions& options) {
   int threads = 0;
   accuracy::Settings settings;
   settings.quick = options.quick;
-  settings.seed = options.seed;
+  settings.seed = parse_seed(options.seed);
   settings.session = open_session(options.device, threads);
   const accuracy::Report report = accuracy::run_report(settings, options.operations, threads,
                                                        [](const std::string& name, std::size_t done, std::size_t all) {

@@ -1,7 +1,6 @@
 // morphcl accuracy: the error of every operation against its run time, in every variant.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,7 @@ struct AccuracyOptions {
   std::vector<std::string> operations;  // names; none: all
   bool quick = false;
   bool json = false;
-  std::uint64_t seed = 1;
+  std::string seed = "1";
   DeviceOptions device;  // "none": nothing is run on a device
 };
 

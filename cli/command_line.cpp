@@ -205,7 +205,6 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options, Action& action) {
       ->type_name("NAME...")
       ->group("Measurement");
   command.add_option("--seed", options.seed, "Of the random inputs, 0 to 2^64 - 1; default: 1")
-      ->check(CLI::NonNegativeNumber)
       ->type_name("N")
       ->group("Measurement");
   command.add_option("--out", options.out, "Folder for accuracy.csv, accuracy.json and accuracy.svg; default: none")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,12 @@ ImageSize parse_size(const std::string& text) {
   throw Error(ErrorKind::usage, "--size",
               fmt::format("'{}' is no image size; WIDTHxHEIGHT in pixels, each from 1 to {}, such as 1920x1080", text,
                           max_image_size));
+}
+
+std::uint64_t parse_seed(const std::string& text) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  if (const auto seed = whole_number<std::uint64_t>(text, 0, most)) return *seed;
+  throw Error(ErrorKind::usage, "--seed", fmt::format("'{}' is no seed; a whole number from 0 to {}", text, most));
 }
 
 TimeBase parse_fps(const std::string& text) {

@@ -1,6 +1,7 @@
 // The texts that options take, read into numbers. Each throws Error(usage) that says what would be right.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "anim/time_base.hpp"
@@ -13,6 +14,7 @@ struct ImageSize {
 };
 
 ImageSize parse_size(const std::string& text);                         // "1920x1080": 1 to 16384 each
+std::uint64_t parse_seed(const std::string& text);                     // 0 to 2^64 - 1
 TimeBase parse_fps(const std::string& text);                           // "25" or "30000/1001": 1 to 1,000,000 each
 void set_channels(const std::string& list, ImageSettings& image);      // "RGBA", "Z" or "RGBA,Z"
 void set_compression(const std::string& name, ImageSettings& image);   // one of compression_names()

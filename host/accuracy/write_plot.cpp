@@ -7,7 +7,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <vector>
 
 #include "host/accuracy/verdict.hpp"
@@ -139,13 +141,18 @@ std::string plot_program(const Report& report, const std::string& path) {
 std::string draw_plots(const Report& report, const std::string& path) {
   FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) return "no plots: gnuplot cannot be started";
-  const std::string program = plot_program(report, path);
+  const std::string unfinished = path + ".unfinished", program = plot_program(report, unfinished);
   // One that is missing, or ends early, closes the pipe: that is told by its status, not by a signal that ends us.
   const auto on_closed_pipe = std::signal(SIGPIPE, SIG_IGN);
   std::fwrite(program.data(), 1, program.size(), gnuplot);
   const int status = pclose(gnuplot);
   std::signal(SIGPIPE, on_closed_pipe);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+  std::error_code error;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    std::filesystem::rename(unfinished, path, error);
+    return error ? "no plots: gnuplot has written none" : "";
+  }
+  std::filesystem::remove(unfinished, error);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     return "no plots: gnuplot is not installed (apt-get install gnuplot-nox)";
   return "no plots: gnuplot failed";

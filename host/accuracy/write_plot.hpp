@@ -11,7 +11,8 @@ namespace morphcl::accuracy {
 // its name beside it; the Pareto front as a line; the target as a dashed one. Errors of 0 lie on the lower edge.
 std::string plot_program(const Report& report, const std::string& path);
 
-// Draws it. Returns "" or one line: what is missing or went wrong (gnuplot is an external program).
+// Draws it, whole or not at all. Returns "" or one line: what is missing or went wrong (gnuplot is an external
+// program).
 std::string draw_plots(const Report& report, const std::string& path);
 
 }  // namespace morphcl::accuracy

@@ -27,10 +27,27 @@ Report report_of(const std::vector<std::string>& names, std::uint64_t seed = 1) 
 }
 
 TEST(AccuracyReport, HasEveryOperation) {
-  EXPECT_THAT(operation_names(),
-              IsSupersetOf({"matrix-rotation", "matrix-look-at", "matrix-projection", "matrix-scale-about", "compose",
-                            "point-transform", "divide", "viewport-snap", "clip", "coverage", "interpolation", "depth",
-                            "normal", "slerp", "lerp", "hermite", "spring", "point-in-polygon"}));
+  EXPECT_THAT(operation_names(), IsSupersetOf({"matrix-rotation",
+                                               "matrix-look-at",
+                                               "matrix-projection",
+                                               "matrix-scale-about",
+                                               "matrix-shear",
+                                               "matrix-oblique",
+                                               "matrix-axonometric",
+                                               "compose",
+                                               "point-transform",
+                                               "divide",
+                                               "viewport-snap",
+                                               "clip",
+                                               "coverage",
+                                               "interpolation",
+                                               "depth",
+                                               "normal",
+                                               "slerp",
+                                               "lerp",
+                                               "hermite",
+                                               "spring",
+                                               "point-in-polygon"}));
 }
 
 // Every operation by its name, so that one that is wrong is named.

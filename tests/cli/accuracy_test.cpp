@@ -39,6 +39,21 @@ TEST_F(Accuracy, WithoutGnuplotTheOtherFilesComeAndOneLineSaysWhatIsMissing) {
   EXPECT_EQ(files(), (std::set<std::string>{"out/accuracy.csv", "out/accuracy.json"}));
 }
 
+TEST_F(Accuracy, AGnuplotThatFailsLeavesThePlotsOfBefore) {
+  std::filesystem::create_directory(path("bin"));
+  plant("bin/gnuplot", "#!/bin/sh\nread line\necho half > out/accuracy.svg.unfinished\nexit 1\n");
+  std::filesystem::permissions(path("bin/gnuplot"), std::filesystem::perms::owner_all);
+  std::filesystem::create_directory(path("out"));
+  plant("out/accuracy.svg", "of before");
+  const ToolResult result = run({"--quick", "--operation", "lerp", "--device", "none", "--out", path("out")},
+                                {.environment = {{"PATH", path("bin")}}, .folder = folder_});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("morphcl: no plots: gnuplot failed"));
+  EXPECT_EQ(read_file(path("out/accuracy.svg")), "of before");
+  EXPECT_EQ(files(),
+            (std::set<std::string>{"bin/gnuplot", "out/accuracy.csv", "out/accuracy.json", "out/accuracy.svg"}));
+}
+
 TEST_F(Accuracy, TheDeviceGivesTheHostsBits) {
   const ToolResult result = run({"--quick", "--operation", "point-transform", "--json"});
   ASSERT_EQ(result.code, 0) << result.err;
@@ -68,13 +83,15 @@ TEST_F(Accuracy, HostileNamesStayOnOneLine) {
 }
 
 TEST_F(Accuracy, BadOptionsAreUsageErrors) {
-  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--seed", "-1"},
-                                                                                       {"--seed", "one"},
-                                                                                       {"--operation"},
-                                                                                       {"--threads", "0"},
-                                                                                       {"--out"},
-                                                                                       {"--device", "reference"},
-                                                                                       {"surplus"}})
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--seed", "-1"},
+                                             {"--seed", "18446744073709551616"},
+                                             {"--seed", "one"},
+                                             {"--operation"},
+                                             {"--threads", "0"},
+                                             {"--out"},
+                                             {"--device", "reference"},
+                                             {"surplus"}})
     expect_one_line_error(run(options), 2, options[0] == "surplus" ? "surplus" : options[0]);
 }
 

@@ -8,7 +8,10 @@ namespace morphcl::accuracy {
 Operation matrix_rotation();
 Operation matrix_look_at();
 Operation matrix_projection();
+Operation matrix_oblique();
+Operation matrix_axonometric();
 Operation matrix_scale_about();
+Operation matrix_shear();
 Operation compose();
 Operation point_transform();
 Operation divide();
@@ -23,7 +26,6 @@ Operation lerp_morph();
 Operation slerp_rotation();
 Operation rotation_angle();
 Operation hermite();
-Operation sine();
 Operation spring();
 Operation spring_chain();
 Operation point_in_polygon();
