@@ -2,10 +2,12 @@
 
 #include <set>
 
+#include "anim/timeline_at.hpp"
 #include "cli/camera_info.hpp"
 #include "cli/console.hpp"
 #include "cli/info_command.hpp"
 #include "cli/json_line.hpp"
+#include "cli/object_info.hpp"
 #include "cli/table.hpp"
 #include "host/error.hpp"
 #include "host/scene/frame_range.hpp"
@@ -48,6 +50,13 @@ std::string target_names(const Mesh& mesh) {
   return names;
 }
 
+// Standing at the first frame.
+NodeSampler first_nodes(const Scene& scene) {
+  NodeSampler nodes(scene.timeline.nodes);
+  nodes.go_to(tick_of(scene.timeline, frame_numbers(scene.frames).front()));
+  return nodes;
+}
+
 void print_json(const Scene& scene) {
   JsonLine line("scene");
   line.add("name", scene.name).add("width", scene.image.width).add("height", scene.image.height);
@@ -63,6 +72,13 @@ void print_json(const Scene& scene) {
     row.add("name", mesh.name).add("vertices", mesh.positions.size()).add("triangles", mesh.triangles.size());
     row.add("normals", !mesh.normals.empty()).add("colors", !mesh.colors.empty());
     print_result(row.add("targets", mesh.targets.size()).add("target_names", target_names(mesh)).str());
+  }
+  NodeSampler nodes = first_nodes(scene);
+  for (const Object& object : scene.objects) {
+    JsonLine row("object");
+    row.add("name", object.name).add("mesh", scene.meshes[object.mesh].name);
+    row.add("shading", std::string(shading_name(object.material.shading)));
+    print_result(row.add("placement", describe_placement(object, nodes)).str());
   }
   for (const std::string& warning : scene.warnings) print_result(JsonLine("warning").add("text", warning).str());
 }
@@ -85,9 +101,11 @@ void print_table(const Scene& scene) {
     if (!mesh.targets.empty()) text += fmt::format(", {} morph targets: {}", mesh.targets.size(), target_names(mesh));
     rows.push_back({"mesh", printable(text)});
   }
+  NodeSampler nodes = first_nodes(scene);
   for (const Object& object : scene.objects)
-    rows.push_back({"object", printable(fmt::format("{}: {}, {}", object.name, scene.meshes[object.mesh].name,
-                                                    shading_name(object.material.shading)))});
+    rows.push_back(
+        {"object", printable(fmt::format("{}: {}, {}, {}", object.name, scene.meshes[object.mesh].name,
+                                         shading_name(object.material.shading), describe_placement(object, nodes)))});
   for (const std::string& warning : scene.warnings) rows.push_back({"warning", printable(warning)});
   for (const std::string& line : aligned(rows)) print_result(line);
 }

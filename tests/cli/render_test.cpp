@@ -208,6 +208,20 @@ TEST_F(Render, InfoOfACamera) {
                     HasSubstr("-2 to 2 across, -0.5 to 0.5 up; cropped along y to fit the image")));
 }
 
+TEST_F(Render, InfoTakesWhereObjectsAreApart) {
+  const auto info = [&](const std::vector<std::string>& steps) {
+    std::string shot = "[image]\nsize = [40, 30]\n[[object]]\nmesh = \"cube\"\n";
+    for (const std::string& step : steps) shot += "[[object.transform]]\n" + step + "\n";
+    plant("object.toml", shot);
+    return run_tool({"info", path("object.toml")}).out;
+  };
+  EXPECT_THAT(info({}), HasSubstr("cube, smooth, at (0, 0, 0); put together again within 0"));
+  EXPECT_THAT(info({"scale = [2, 3, 4]", "rotate_y_degrees = 30", "translate = [1, 0, -5]"}),
+              HasSubstr("at (1, 0, -5), turned 30 degrees about (0, 1, 0), scaled (2, 3, 4); put together"));
+  EXPECT_THAT(info({"shear = { xy = 0.5 }"}), HasSubstr("at (0, 0, 0), sheared by xy, xz, yz (0.5, 0, 0); put"));
+  EXPECT_THAT(info({"scale = [1, 0, 1]"}), HasSubstr("not to be taken apart: "));
+}
+
 TEST_F(Render, PlanSaysWhatIsLeftOutAndWhy) {
   const ToolResult table = run_tool({"plan", path("shot.toml"), "--frame", "2"});
   EXPECT_EQ(table.code, 0);
