@@ -83,11 +83,14 @@ TEST(ExtremeCase, NearClipping) {
     if (inside_guard) stable.add_exact(forward[1].clip.w == plan.near_w);
   }
   EXPECT_GT(cut, 1000);
-  // The known cut: from w = 1 to w = -1 with x = 1, near at w = 1/10.
-  const auto known = reference::clip_polygon({corner({0.05f, 0, 0.1f, 1}), corner({0.05f, 0, 0.1f, -1})}, plan, grid);
+  // The known cut, from w = 1 to w = -1 with near at w = 1/10: t = 9/20, x stays (inside the guard band).
+  const auto known =
+      reference::clip_polygon({{{0.05f, 0, 0.1f, 1}, {1, 0, 0}}, {{0.05f, 0, 0.1f, -1}, {0, 1, 0}}}, plan, grid);
   ASSERT_EQ(known.size(), 2u);
   EXPECT_EQ(known[1].clip.x, 0.05f);
   EXPECT_EQ(known[1].clip.w, plan.near_w);
+  EXPECT_FLOAT_EQ(known[1].weight[0], 11 / 20.0f);
+  EXPECT_FLOAT_EQ(known[1].weight[1], 9 / 20.0f);
   expect_demand(stable, naive_form);
 }
 

@@ -111,7 +111,8 @@ TEST(DepthFormat, BucketsHaveTheWidthOfTheCatalogue) {
   } rows[] = {{1, 0.0001526, 5.960e-7, 2.328e-9, 5.960e-7, 7.451e-8},
               {10, 0.01526, 5.960e-5, 2.328e-7, 5.960e-5, 9.313e-7},
               {100, 1.526, 0.005960, 2.328e-5, 0.005960, 1.164e-5},
-              {1e4, 1.526e4, 59.60, 0.2328, 59.60, 0.0009095}};
+              {1e4, 1.526e4, 59.60, 0.2328, 59.60, 0.0009095},
+              {9e4, 1.236e6, 4828, 18.86, 4828, 0.009209}};
   for (const auto& row : rows)
     for (const auto& [format, width] : {std::pair{DepthFormat::fixed16, row.fixed16},
                                         {DepthFormat::fixed24, row.fixed24},
