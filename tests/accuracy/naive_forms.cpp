@@ -84,6 +84,12 @@ float perspective_lerp(float a1, float w1, float a2, float w2, float t) {
   return attribute / (p + t * (q - p));
 }
 
+float attribute_at(const glm::vec3& area, const glm::vec3& inverse_w, const glm::vec3& attribute) {
+  const float total = area[0] + area[1] + area[2], s = area[1] / total, t = area[2] / total;
+  const auto plane = [&](const glm::vec3& at) { return at[0] + s * (at[1] - at[0]) + t * (at[2] - at[0]); };
+  return plane(attribute * inverse_w) / plane(inverse_w);
+}
+
 float angle_between(const glm::quat& a, const glm::quat& b) {
   return std::acos(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w);
 }

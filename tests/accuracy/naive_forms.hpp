@@ -32,8 +32,10 @@ float oblique_shift(float z, float beta_degrees);
 std::array<int, 2> edge_signs(const glm::ivec2& a, const glm::ivec2& b, const glm::ivec2& p);
 
 float perspective_lerp(float a1, float w1, float a2, float w2, float t);  // p + t (q - p)
-float angle_between(const glm::quat& a, const glm::quat& b);              // acos of the dot product
-glm::quat slerp(const glm::quat& a, const glm::quat& b, float t);         // by sines of the angle, whatever it is
+// Attribute / w and 1 / w as planes p + s (q - p) + t (r - p) over the triangle, from the doubled areas of its parts.
+float attribute_at(const glm::vec3& area, const glm::vec3& inverse_w, const glm::vec3& attribute);
+float angle_between(const glm::quat& a, const glm::quat& b);       // acos of the dot product
+glm::quat slerp(const glm::quat& a, const glm::quat& b, float t);  // by sines of the angle, whatever it is
 glm::dquat nlerp(const glm::dquat& a, const glm::dquat& b, double t);
 glm::vec3 morphed_normal(const glm::vec3& a, const glm::vec3& b, float t);
 float length(const glm::vec3& v);

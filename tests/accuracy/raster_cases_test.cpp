@@ -6,6 +6,7 @@
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
 #include "host/render/reference/clip_polygon.hpp"
+#include "host/render/reference/shade.hpp"
 #include "host/render/reference/visibility.hpp"
 #include "host/scene/scene.hpp"
 #include "tests/accuracy/demand.hpp"
@@ -195,6 +196,51 @@ TEST(ExtremeCase, OpposedMorphNormals) {
     // A unit vector of fp32: each component half an ulp, the length and the quotient two roundings.
     stable.add(length(vertices[i].normal), 1, 4 * u32);
     naive_form.add(length(naive::morphed_normal(mesh.normals[i], target.normals[i], 0.5f)), 1, 4 * u32);
+  }
+  expect_demand(stable, naive_form);
+}
+
+// Row "perspective interpolation", as renderers do it: vertex colours at the first pixel's centre. Exact for the
+// snapped corners and their rounded 1 / w.
+TEST(ExtremeCase, PerspectiveInterpolationOfPixels) {
+  Mesh mesh;
+  mesh.positions.resize(3);
+  mesh.triangles = {{0, 1, 2}};
+  FramePlan plan = perspective_plan(1, 1);
+  plan.draws.resize(1);
+  Draw& draw = plan.draws[0];
+  draw.mesh = &mesh, draw.shading = Shading::unlit, draw.vertex_colors = true, draw.base_color = {1, 1, 1, 1};
+  reference::Visibility visible;
+  visible.samples = {{.depth = 0.5f, .key = 0, .order = 0, .draw = 0, .primitive = 0, .piece = reference::no_piece}};
+  Random random(29);
+  Worst stable, naive_form;
+  int inside = 0;
+  while (inside < 50'000) {
+    std::vector<reference::Vertex> corners(3);
+    long long x[3], y[3], area[3];
+    const long long reach = 256LL << (inside % 14);
+    for (int i = 0; i < 3; ++i) {
+      x[i] = random.integer_in(-reach, reach), y[i] = random.integer_in(-reach, reach);
+      corners[i].screen = {static_cast<int>(x[i] + 128), static_cast<int>(y[i] + 128), 0,
+                           static_cast<float>(std::pow(10.0, random.in(-3, 3)))};
+    }
+    for (int i = 0; i < 3; ++i) area[i] = x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3];
+    if (!(std::min({area[0], area[1], area[2]}) > 0 || std::max({area[0], area[1], area[2]}) < 0)) continue;
+    const bool one_sign = inside++ % 2 == 0;
+    glm::vec3 areas, inverse_w, attribute;
+    Real sum = 0, total = 0;
+    float largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      attribute[i] = random.float_in(one_sign ? 0.25 : -1, 1), largest = std::max(largest, std::abs(attribute[i]));
+      corners[i].color = glm::vec4(attribute[i]);
+      areas[i] = static_cast<float>(area[i]), inverse_w[i] = corners[i].screen.inverse_w;
+      const Real exact = Real(area[i]) * inverse_w[i];
+      sum += exact * attribute[i], total += exact;
+    }
+    const Real value = sum / total;
+    const double bound = one_sign ? 5 * ulp32(value) : 5 * u32 * largest;
+    stable.add(reference::shade(plan, visible, {corners}, 0, 0).x, value, bound);
+    naive_form.add(naive::attribute_at(areas, inverse_w, attribute), value, bound);
   }
   expect_demand(stable, naive_form);
 }
