@@ -5,6 +5,8 @@
 // range of frames (host/job).
 #pragma once
 
+#include "anim/animated_transform.hpp"
+#include "anim/tangents.hpp"
 #include "anim/timeline.hpp"
 #include "anim/track.hpp"
 #include "host/batch/transform_buffers.hpp"
@@ -24,7 +26,9 @@
 #include "host/math/convention.hpp"
 #include "host/math/decompose.hpp"
 #include "host/math/exponential.hpp"
+#include "host/math/half_storage.hpp"
 #include "host/math/look_at.hpp"
+#include "host/math/orthonormal_basis.hpp"
 #include "host/math/perspective_lerp.hpp"
 #include "host/math/predicates.hpp"
 #include "host/math/projection.hpp"
