@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "host/math/convention.hpp"
 #include "host/math/seven_step_rotation.hpp"
 
 namespace morphcl {
@@ -42,7 +43,7 @@ void read_shear(const ShotValue& value, CompositeTransform& transform) {
   transform.shear(factor("xy"), factor("xz"), factor("yx"), factor("yz"), factor("zx"), factor("zy"));
 }
 
-void read_matrix(const ShotValue& value, CompositeTransform& transform) {
+glm::dmat4 read_rows(const ShotValue& value) {
   const char* form = "matrix must be four rows of four numbers; the last is [0, 0, 0, 1]";
   if (!value.is_array() || value.size() != 4) value.fail(form);
   glm::dmat4 matrix;
@@ -51,7 +52,22 @@ void read_matrix(const ShotValue& value, CompositeTransform& transform) {
     if (!numbers.is_array() || numbers.size() != 4) numbers.fail(form);
     for (int column = 0; column < 4; ++column) matrix[column][row] = numbers[static_cast<std::size_t>(column)].number();
   }
-  transform.matrix_step(matrix);
+  return matrix;
+}
+
+// Four rows, or a table of rows and the convention that they are written in.
+void read_matrix(const ShotValue& value, CompositeTransform& transform) {
+  if (!value.is_table()) {
+    transform.matrix_step(read_rows(value));
+    return;
+  }
+  const ShotTable table = value.table({"rows", "vectors", "handedness"});
+  Convention convention;
+  if (const auto vectors = table.find("vectors"))
+    convention.vectors = vectors->choose("column", "row") ? VectorForm::row : VectorForm::column;
+  if (const auto handedness = table.find("handedness"))
+    convention.handedness = handedness->choose("right", "left") ? Handedness::left : Handedness::right;
+  transform.matrix_step(transform_from(convention, read_rows(table.need("rows"))));
 }
 
 }  // namespace

@@ -81,6 +81,12 @@ const std::string& ShotValue::text() const {
   wrong_type("a string");
 }
 
+bool ShotValue::choose(const char* no, const char* yes) const {
+  if (text() != no && text() != yes)
+    fail(fmt::format("unknown {} \"{}\"{}", name_, text(), suggestion(text(), {no, yes})));
+  return text() == yes;
+}
+
 glm::dvec3 ShotValue::vector() const {
   if (!is_array() || size() != 3) fail(fmt::format("{} must be three numbers: [x, y, z]", name_));
   return {(*this)[0].number(), (*this)[1].number(), (*this)[2].number()};

@@ -33,8 +33,9 @@ class ShotValue {
   double positive() const;            // finite and > 0
   double field_of_view() const;       // degrees: more than 0 and less than 180
   const std::string& text() const;
-  glm::dvec3 vector() const;  // [x, y, z]
-  glm::dvec3 color() const;   // [r, g, b], each >= 0
+  bool choose(const char* no, const char* yes) const;  // the text is one of the two: whether it is `yes`
+  glm::dvec3 vector() const;                           // [x, y, z]
+  glm::dvec3 color() const;                            // [r, g, b], each >= 0
   bool is_array() const { return std::holds_alternative<TomlValue::Array>(value_->data); }
   bool is_table() const { return std::holds_alternative<TomlValue::Table>(value_->data); }
   bool is_boolean() const { return std::holds_alternative<bool>(value_->data); }

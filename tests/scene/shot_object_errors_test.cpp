@@ -102,6 +102,9 @@ INSTANTIATE_TEST_SUITE_P(
               "4:13: translate must be three numbers: [x, y, z]"},
         Wrong{"ScaleAboutWithoutPoint", "mesh = \"cube\"\n[[object.transform]]\nscale_about = { factor = [1, 1, 1] }",
               "4:15: scale_about needs the key \"point\""},
+        Wrong{"MatrixOfDiagonalVectors",
+              "mesh = \"cube\"\n[[object.transform]]\nmatrix = { vectors = \"rows\", rows = [] }",
+              "4:22: unknown vectors \"rows\"; did you mean \"row\"?"},
         Wrong{"MatrixOfThreeRows", "mesh = \"cube\"\n[[object.transform]]\nmatrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
               "4:10: matrix must be four rows of four numbers; the last is [0, 0, 0, 1]"}),
     name_of);

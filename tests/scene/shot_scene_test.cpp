@@ -175,6 +175,22 @@ matrix = [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]]
   EXPECT_EQ(scene.timeline.nodes[scene.objects[0].node - 1].static_transform, expected.matrix());
 }
 
+// The same map in three conventions: turned about z, moved, and scaled along z.
+TEST(Shot, MatricesOfOtherConventionsAreTurnedIntoOurs) {
+  const auto transform = [](const std::string& matrix) {
+    const Scene scene =
+        ShotFolder().load(std::string(test::cube_object) + "[[object.transform]]\nmatrix = " + matrix + "\n");
+    return scene.timeline.nodes[scene.objects[0].node - 1].static_transform;
+  };
+  const glm::dmat4 own = transform("[[0, -1, 0, 4], [1, 0, 0, 5], [0, 0, 2, 6], [0, 0, 0, 1]]");
+  EXPECT_EQ(own * glm::dvec4(1, 2, 3, 1), glm::dvec4(2, 6, 12, 1));
+  EXPECT_EQ(own,
+            transform("{ rows = [[0, -1, 0, 4], [1, 0, 0, 5], [0, 0, 2, 6], [0, 0, 0, 1]], vectors = \"column\" }"));
+  EXPECT_EQ(own, transform("{ rows = [[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 2, 0], [4, 5, 6, 1]], vectors = \"row\" }"));
+  EXPECT_EQ(own,
+            transform("{ rows = [[0, -1, 0, 4], [1, 0, 0, 5], [0, 0, 2, -6], [0, 0, 0, 1]], handedness = \"left\" }"));
+}
+
 TEST(Shot, ShowsEachOfTheSevenSteps) {
   const auto transform = [](const std::string& steps) {
     const Scene scene =
