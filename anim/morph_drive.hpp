@@ -15,8 +15,8 @@ struct MorphDrive {
 
   // The sum of the targets' displacements by their weights at the tick. Error(bad_input) when a weight overflows.
   void displacements_at(std::int64_t tick, Displacements& out) const;
-  // From the first of these ticks something moves; at the last all keys are over, and springs as good as settled or 10
-  // s further. Not in that order: nothing ever moves.
+  // From the first of these ticks something moves; at the last all keys are over, and springs settled or swinging for
+  // 10 s. Not in that order: nothing ever moves.
   std::int64_t first_tick() const;
   std::int64_t end_tick() const;
   // Some weight swings on a spring: it may go on long after end_tick(), however lightly it is damped.

@@ -64,7 +64,7 @@ int compare_command(const CompareOptions& options) {
   if (options.frames) parse_frame_range(*options.frames);  // a wrong one is reported before a large file is read
   const Scene scene = open_scene(options.scene);
   const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
-  for (const std::string& warning : scene.warnings) print_message("warning: " + printable(warning));
+  print_warnings(scene);
   Files files(options.out, scene);
   const OpenedRenderer opened = open_renderer(options.device);
   const Planner planner(scene);

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "host/error.hpp"
+#include "host/math/angle.hpp"
 #include "host/math/decompose.hpp"
 #include "host/math/trigonometry.hpp"
 
@@ -33,9 +34,8 @@ std::string turn(const glm::dmat3& rotation) {
   const glm::dvec3 axis(q.x, q.y, q.z);
   const double length = glm::length(axis);
   if (length <= rounding) return "";
-  constexpr double degrees_per_radian = 57.29577951308232;
-  const double degrees = 2 * arc_tangent(length, std::abs(q.w)) * degrees_per_radian;
-  return fmt::format(", turned {:.6g} degrees about {}", degrees, numbers(axis * ((q.w < 0 ? -1 : 1) / length)));
+  return fmt::format(", turned {:.6g} degrees about {}", degrees(2 * arc_tangent(length, std::abs(q.w))),
+                     numbers(axis * ((q.w < 0 ? -1 : 1) / length)));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ int render_command(const RenderOptions& options) {
 
   Scene scene = open_scene(options.scene);
   if (ranges) scene.frames = *ranges;
-  for (const std::string& warning : scene.warnings) print_message("warning: " + printable(warning));
+  print_warnings(scene);
 
   RenderJob job;
   job.pattern = options.pattern.value_or(scene.name + ".####.exr");

@@ -1,6 +1,8 @@
 #include "cli/scene_options.hpp"
 
+#include "cli/console.hpp"
 #include "cli/option_values.hpp"
+#include "host/error.hpp"
 #include "host/scene/load_scene.hpp"
 
 namespace morphcl::cli {
@@ -24,6 +26,10 @@ Scene open_scene(const SceneOptions& options) {
   if (options.compression) set_compression(*options.compression, scene.image);
   if (options.depth_buffer) set_depth_buffer(*options.depth_buffer, scene.image);
   return scene;
+}
+
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings) print_message("warning: " + printable(warning));
 }
 
 }  // namespace morphcl::cli

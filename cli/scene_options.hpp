@@ -22,4 +22,6 @@ struct SceneOptions {
 // Loads the scene with these options in it. Errors of the options come before the file is opened.
 Scene open_scene(const SceneOptions& options);
 
+void print_warnings(const Scene& scene);  // one line each, to stderr
+
 }  // namespace morphcl::cli

@@ -122,4 +122,15 @@ Batch drawn(Random& random, std::size_t planes, std::size_t count, std::vector<d
   return batch;
 }
 
+// Inputs that are binary32 numbers, so that all variants read the same; draw(random, element) before they are rounded.
+template <class Draw>
+InputFamily binary32_family(const char* name, const char* text, std::size_t planes, Draw draw) {
+  return {name, text, [=](Random& random, std::size_t count) {
+            return drawn(random, planes, count, {}, [=](Random& r, double* in) {
+              draw(r, in);
+              for (std::size_t p = 0; p < planes; ++p) in[p] = static_cast<float>(in[p]);
+            });
+          }};
+}
+
 }  // namespace morphcl::accuracy

@@ -33,17 +33,6 @@ View shipped_rounded(double azimuth_degrees, double elevation_degrees) {
   return view;
 }
 
-// draw(random, azimuth, elevation)
-template <class Draw>
-InputFamily family(const char* name, const char* text, Draw draw) {
-  return {name, text, [=](Random& random, std::size_t count) {
-            return drawn(random, 2, count, {}, [=](Random& r, double* in) {
-              draw(r, in[0], in[1]);
-              in[0] = static_cast<float>(in[0]), in[1] = static_cast<float>(in[1]);
-            });
-          }};
-}
-
 }  // namespace
 
 Operation matrix_axonometric() {
@@ -57,18 +46,12 @@ Operation matrix_axonometric() {
               .reason = "each component rounded to binary32 once"};
   op.results = 6;
   op.families = {
-      family("benign", "azimuth from -180 to 180 degrees, elevation from -90 to 90",
-             [](Random& r, double& azimuth, double& elevation) {
-               azimuth = r.uniform(-180, 180), elevation = r.uniform(-90, 90);
-             }),
-      family("wide", "azimuth from -10^6 to 10^6 degrees",
-             [](Random& r, double& azimuth, double& elevation) {
-               azimuth = r.uniform(-1e6, 1e6), elevation = r.uniform(-90, 90);
-             }),
-      family("adversarial", "azimuth within 2^-16 to 2^-1 degrees of 180, elevation as near below 90",
-             [](Random& r, double& azimuth, double& elevation) {
-               azimuth = 180 - r.binades(-16, -1), elevation = 90 - r.binades(-16, -1);
-             }),
+      binary32_family("benign", "azimuth from -180 to 180 degrees, elevation from -90 to 90", 2,
+                      [](Random& r, double* in) { in[0] = r.uniform(-180, 180), in[1] = r.uniform(-90, 90); }),
+      binary32_family("wide", "azimuth from -10^6 to 10^6 degrees", 2,
+                      [](Random& r, double* in) { in[0] = r.uniform(-1e6, 1e6), in[1] = r.uniform(-90, 90); }),
+      binary32_family("adversarial", "azimuth within 2^-16 to 2^-1 degrees of 180, elevation as near below 90", 2,
+                      [](Random& r, double* in) { in[0] = 180 - r.binades(-16, -1), in[1] = 90 - r.binades(-16, -1); }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

@@ -30,17 +30,6 @@ Shear shipped_rounded(double direction_degrees, double beta_degrees) {
   return {static_cast<float>(shear[0]), static_cast<float>(shear[1])};
 }
 
-// draw(random, direction, beta)
-template <class Draw>
-InputFamily family(const char* name, const char* text, Draw draw) {
-  return {name, text, [=](Random& random, std::size_t count) {
-            return drawn(random, 2, count, {}, [=](Random& r, double* in) {
-              draw(r, in[0], in[1]);
-              in[0] = static_cast<float>(in[0]), in[1] = static_cast<float>(in[1]);
-            });
-          }};
-}
-
 }  // namespace
 
 Operation matrix_oblique() {
@@ -54,17 +43,12 @@ Operation matrix_oblique() {
               .reason = "each entry rounded to binary32 once"};
   op.results = 2;
   op.families = {
-      family(
-          "benign", "directions from 0 to 360 degrees, beta from 30 to 89",
-          [](Random& r, double& direction, double& beta) { direction = r.uniform(0, 360), beta = r.uniform(30, 89); }),
-      family("wide", "directions from -10^5 to 10^5 degrees, beta from 1 to 89",
-             [](Random& r, double& direction, double& beta) {
-               direction = r.uniform(-1e5, 1e5), beta = r.uniform(1, 89);
-             }),
-      family("adversarial", "directions within 2^-20 to 2^-1 degrees of 90, beta as near below 90",
-             [](Random& r, double& direction, double& beta) {
-               direction = 90 + r.binades(-20, -1), beta = 90 - r.binades(-16, -1);
-             }),
+      binary32_family("benign", "directions from 0 to 360 degrees, beta from 30 to 89", 2,
+                      [](Random& r, double* in) { in[0] = r.uniform(0, 360), in[1] = r.uniform(30, 89); }),
+      binary32_family("wide", "directions from -10^5 to 10^5 degrees, beta from 1 to 89", 2,
+                      [](Random& r, double* in) { in[0] = r.uniform(-1e5, 1e5), in[1] = r.uniform(1, 89); }),
+      binary32_family("adversarial", "directions within 2^-20 to 2^-1 degrees of 90, beta as near below 90", 2,
+                      [](Random& r, double* in) { in[0] = 90 + r.binades(-20, -1), in[1] = 90 - r.binades(-16, -1); }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

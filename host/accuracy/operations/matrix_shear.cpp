@@ -40,17 +40,6 @@ Entries shipped_rounded(double xy, double xz, double yx, double yz, double zx, d
   return entries_of(to_fp32(inverse_of(xy, xz, yx, yz, zx, zy)));
 }
 
-// draw(random, the six factors)
-template <class Draw>
-InputFamily family(const char* name, const char* text, Draw draw) {
-  return {name, text, [=](Random& random, std::size_t count) {
-            return drawn(random, 6, count, {}, [=](Random& r, double* in) {
-              draw(r, in);
-              for (int factor = 0; factor < 6; ++factor) in[factor] = static_cast<float>(in[factor]);
-            });
-          }};
-}
-
 template <class Number>
 using Matrix = std::array<std::array<Number, 3>, 3>;  // rows
 
@@ -99,20 +88,20 @@ Operation matrix_shear() {
               .reason = "half an ulp of |A^-1| |A| |A^-1|: rounding the factors costs as much"};
   op.results = 9;
   op.families = {
-      family("benign", "factors from -1/4 to 1/4",
-             [](Random& r, double* in) {
-               for (int factor = 0; factor < 6; ++factor) in[factor] = r.uniform(-0.25, 0.25);
-             }),
-      family("wide", "factors of 2^-20 to 2^10",
-             [](Random& r, double* in) {
-               for (int factor = 0; factor < 6; ++factor) in[factor] = r.binades(-20, 9);
-             }),
-      family("adversarial", "xy yx within 2^-18 to 2^-8 of 1, the others about 2^-12",
-             [](Random& r, double* in) {
-               in[0] = r.uniform(0.5, 2);
-               in[2] = (1 - r.binades(-18, -9)) / in[0];
-               for (const int factor : {1, 3, 4, 5}) in[factor] = r.binades(-13, -12);
-             }),
+      binary32_family("benign", "factors from -1/4 to 1/4", 6,
+                      [](Random& r, double* in) {
+                        for (int factor = 0; factor < 6; ++factor) in[factor] = r.uniform(-0.25, 0.25);
+                      }),
+      binary32_family("wide", "factors of 2^-20 to 2^10", 6,
+                      [](Random& r, double* in) {
+                        for (int factor = 0; factor < 6; ++factor) in[factor] = r.binades(-20, 9);
+                      }),
+      binary32_family("adversarial", "xy yx within 2^-18 to 2^-8 of 1, the others about 2^-12", 6,
+                      [](Random& r, double* in) {
+                        in[0] = r.uniform(0.5, 2);
+                        in[2] = (1 - r.binades(-18, -9)) / in[0];
+                        for (const int factor : {1, 3, 4, 5}) in[factor] = r.binades(-13, -12);
+                      }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
