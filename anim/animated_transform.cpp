@@ -22,15 +22,13 @@ AnimatedTransform& AnimatedTransform::add(const char* name, int width, Track par
 }
 
 AnimatedTransform& AnimatedTransform::translate(Track offset) {
-  return add("translate", 3, std::move(offset), [](CompositeTransform& t, const double* v) {
-    t.translate({v[0], v[1], v[2]});
-  });
+  return add("translate", 3, std::move(offset),
+             [](CompositeTransform& t, const double* v) { t.translate({v[0], v[1], v[2]}); });
 }
 
 AnimatedTransform& AnimatedTransform::scale_about(const glm::dvec3& point, Track factor) {
-  return add("scale_about", 3, std::move(factor), [point](CompositeTransform& t, const double* v) {
-    t.scale_about(point, {v[0], v[1], v[2]});
-  });
+  return add("scale_about", 3, std::move(factor),
+             [point](CompositeTransform& t, const double* v) { t.scale_about(point, {v[0], v[1], v[2]}); });
 }
 
 AnimatedTransform& AnimatedTransform::rotate_about_axis(const glm::dvec3& from, const glm::dvec3& to, Track degrees) {

@@ -11,8 +11,8 @@
 #include "host/device/session.hpp"
 #include "host/error.hpp"
 #include "host/image/frame_buffer.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/plan.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl::bench {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/scenes.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::bench {
 

@@ -13,9 +13,9 @@
 #include "host/error.hpp"
 #include "host/image/frame_buffer.hpp"
 #include "host/image/pixel_hash.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/plan.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 
 namespace morphcl::bench {
 

@@ -19,8 +19,9 @@
 #include "bench/rig_scene.hpp"
 #include "host/device/session.hpp"
 #include "host/error.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/plan_digest.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/plan_digest.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/scene/load_scene.hpp"
 
 namespace morphcl::bench {
@@ -125,11 +126,9 @@ void measure(const std::string& name, const Settings& settings, const std::share
   const auto run_lean = [&] { return lean.run(frames, false); };
   for (const Item& item : items(scene.image)) {
     Variant full(scene, item.done, session, item.change);
-    compare(
-        name, item.name, run_lean, [&] { return full.run(frames, false); }, settings.rounds);
+    compare(name, item.name, run_lean, [&] { return full.run(frames, false); }, settings.rounds);
   }
-  compare(
-      name, "equal frames", [&] { return lean.run(frames, true); }, run_lean, settings.rounds);
+  compare(name, "equal frames", [&] { return lean.run(frames, true); }, run_lean, settings.rounds);
 }
 
 void run(const Settings& settings) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::cli {
 

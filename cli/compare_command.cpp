@@ -6,11 +6,11 @@
 #include "cli/compare_report.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
-#include "host/accuracy/frame/difference_files.hpp"
 #include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/job/frame_pattern.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/scene/model/frame_range.hpp"
+#include "lab/frame_error/difference_files.hpp"
 
 namespace morphcl::cli {
 

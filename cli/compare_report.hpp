@@ -1,7 +1,7 @@
 // What morphcl compare prints of a frame: a table for people, or JSON lines.
 #pragma once
 
-#include "host/accuracy/frame/frame_difference.hpp"
+#include "lab/frame_error/frame_difference.hpp"
 
 namespace morphcl::cli {
 

@@ -1,7 +1,7 @@
 #include "cli/open_renderer.hpp"
 
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 
 namespace morphcl::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host/device/session.hpp"
-#include "host/render/renderer.hpp"
+#include "host/render/frame/renderer.hpp"
 
 namespace morphcl::cli {
 

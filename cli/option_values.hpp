@@ -5,7 +5,7 @@
 #include <string>
 
 #include "anim/time_base.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::cli {
 

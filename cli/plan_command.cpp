@@ -8,8 +8,8 @@
 #include "cli/table.hpp"
 #include "host/device/session.hpp"
 #include "host/error.hpp"
-#include "host/render/plan/report.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/render/explain/report.hpp"
+#include "host/scene/model/frame_range.hpp"
 
 namespace morphcl::cli {
 

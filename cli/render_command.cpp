@@ -6,7 +6,7 @@
 #include "cli/render_report.hpp"
 #include "cli/stop_signals.hpp"
 #include "host/error.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/scene/model/frame_range.hpp"
 
 namespace morphcl::cli {
 

@@ -10,7 +10,7 @@
 #include "cli/object_info.hpp"
 #include "cli/table.hpp"
 #include "host/error.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/scene/model/frame_range.hpp"
 
 namespace morphcl::cli {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::cli {
 

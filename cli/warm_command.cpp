@@ -8,7 +8,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/warm_scene.hpp"
 #include "host/error.hpp"
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl::cli {
 

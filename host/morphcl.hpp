@@ -1,8 +1,8 @@
 // The whole library.
 //
-// A scene is loaded or built (host/scene), a frame of it is planned (host/render/plan.hpp), a renderer draws the plan
-// (OpenCL device or plain C++ reference, the same bits), and the frame is written (host/image); run() does that for a
-// range of frames (host/job).
+// A scene is loaded or built (host/scene), a frame of it is planned (host/render/plan/planner.hpp), a renderer draws
+// the plan (OpenCL device or plain C++ reference, the same bits), and the frame is written (host/image); run() does
+// that for a range of frames (host/job).
 #pragma once
 
 #include "anim/animated_transform.hpp"
@@ -37,12 +37,12 @@
 #include "host/math/trigonometry.hpp"
 #include "host/math/vanishing_point.hpp"
 #include "host/math/viewport.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/plan.hpp"
-#include "host/render/reference_renderer.hpp"
-#include "host/render/renderer.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/scene/load_scene.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/frame_range.hpp"
+#include "host/scene/model/scene.hpp"
 #include "host/version.hpp"
 #include "host/visibility/hidden_surfaces.hpp"

@@ -3,7 +3,7 @@
 //
 // In:  planes, one array after the other, `count` numbers each: the values a and b and the parameter t; for the
 //      perspective-correct forms a1, w1, a2, w2 and t.
-// Out: results: one number an element. One work-item an element; host/accuracy/operations/lerp.cpp and interpolation.cpp
+// Out: results: one number an element. One work-item an element; lab/accuracy/operations/lerp.cpp and interpolation.cpp
 //      are the same arithmetic on the host.
 
 #define ARGUMENTS global const float *planes, global const float *constants, global float *results, uint count

@@ -2,7 +2,7 @@
 // Ways to multiply a point by the rows of an affine matrix in binary32, for the report of errors against run times.
 //
 // In:  points: x, y, z, one array after the other, `count` each. constants: 12 floats, row after row.
-// Out: results: x, y, z likewise. One work-item a point; host/accuracy/operations/point_transform.cpp is the same
+// Out: results: x, y, z likewise. One work-item a point; lab/accuracy/operations/point_transform.cpp is the same
 //      arithmetic on the host.
 
 #define POINT_ARGUMENTS \

@@ -1,5 +1,5 @@
 // What host and kernels share: the structs in buffers and the constants of the raster design. Included by the kernels and,
-// through host/render/kernel_layout.hpp, by the host, which checks the sizes.
+// through host/render/frame/kernel_layout.hpp, by the host, which checks the sizes.
 //
 // Names: a *vertex* is one record after projection; a *group* is 16 vertices of one draw; a *block* is 16 primitives of one
 // draw; a *chunk* is a run of groups or blocks that one work-item walks through; a *tile* is 64 x 64 pixels.

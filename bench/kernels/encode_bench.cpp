@@ -28,7 +28,8 @@
 #include "host/image/exr_zip_chunk.hpp"
 #include "host/image/pixel_hash.hpp"
 #include "host/image/zlib_encoder.hpp"
-#include "host/render/device_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include "demos/viewer/view_camera.hpp"
 #include "host/error.hpp"
 #include "host/job/render_job.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
-#include "host/scene/frame_range.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
+#include "host/scene/model/frame_range.hpp"
 
 namespace morphcl::viewer {
 namespace {

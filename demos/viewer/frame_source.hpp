@@ -10,9 +10,9 @@
 #include "demos/viewer/demo_settings.hpp"
 #include "demos/viewer/demo_state.hpp"
 #include "host/device/session.hpp"
-#include "host/render/plan.hpp"
-#include "host/render/renderer.hpp"
-#include "host/scene/scene.hpp"
+#include "host/render/frame/renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::viewer {
 

@@ -36,9 +36,8 @@ void draw_character(char character, int left, int top, int dot, RgbImage& pictur
     for (int x = 0; x < kGlyphWidth; ++x) {
       if (!glyph_dot(character, x, y)) continue;
       const int dot_left = left + x * dot, dot_top = top + y * dot;
-      for_each_pixel(picture, {dot_left, dot_top, dot_left + dot, dot_top + dot}, [](Rgb& pixel) {
-        pixel = {255, 255, 255};
-      });
+      for_each_pixel(picture, {dot_left, dot_top, dot_left + dot, dot_top + dot},
+                     [](Rgb& pixel) { pixel = {255, 255, 255}; });
     }
   }
 }

@@ -16,7 +16,7 @@
 namespace morphcl::viewer {
 namespace {
 
-constexpr int kLargestSide = 16384;  // pixels of a frame (host/scene/scene.hpp)
+constexpr int kLargestSide = 16384;  // pixels of a frame (host/scene/model/scene.hpp)
 
 double now_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -31,7 +31,9 @@ class Vertices {
   static Vertices xyz(std::span<Real> records);
   static Vertices xyzw(std::span<Real> records);
 
-  operator Vertices<const Real>() const requires(!std::is_const_v<Real>) {
+  operator Vertices<const Real>() const
+    requires(!std::is_const_v<Real>)
+  {
     return {layout_, {arrays_[0], arrays_[1], arrays_[2]}, count_};
   }
 

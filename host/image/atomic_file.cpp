@@ -53,7 +53,7 @@ std::string temporary_path(const std::string& path) {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path) : path_(path), temporary_(temporary_path(path)) {
-    struct stat status {};
+    struct stat status{};
     if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
       throw Error(ErrorKind::cannot_create, path, "is there already and is not a regular file; give another name");
     std::error_code error;

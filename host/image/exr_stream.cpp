@@ -39,7 +39,7 @@ void MemoryInput::fetch(std::uint64_t position, char* values, std::size_t count)
 FileInput::FileInput(const std::string& path) : SizedInput(path, 0) {
   file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file_ < 0) throw Error(ErrorKind::cannot_read, path, std::strerror(errno));
-  struct stat status {};
+  struct stat status{};
   if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) {
     close(file_);
     throw Error(ErrorKind::cannot_read, path, "is not a regular file");

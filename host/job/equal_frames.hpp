@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <variant>
 
-#include "host/render/plan_digest.hpp"
+#include "host/render/frame/plan_digest.hpp"
 
 namespace morphcl {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <thread>
 
-#include "host/render/plan.hpp"
-#include "host/render/plan_digest.hpp"
+#include "host/render/frame/plan_digest.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

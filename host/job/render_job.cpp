@@ -10,7 +10,7 @@
 #include "host/job/frame_output.hpp"
 #include "host/job/plan_ahead.hpp"
 #include "host/job/write_queue.hpp"
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

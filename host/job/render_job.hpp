@@ -9,9 +9,9 @@
 
 #include "host/job/fingerprint.hpp"
 #include "host/job/frame_pattern.hpp"
-#include "host/render/plan.hpp"
-#include "host/render/renderer.hpp"
-#include "host/scene/scene.hpp"
+#include "host/render/frame/renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl {
 

@@ -23,7 +23,7 @@ struct Exponential {
 // |x| < 710.
 MORPHCL_INLINED Exponential fast_exponential(double x) {
   constexpr double one_over_ln_2 = 0x1.71547652b82fep+0, to_integer = 0x1.8p+52;
-  const double k = (std::fma(x, one_over_ln_2, to_integer)) - to_integer;
+  const double k = (std::fma(x, one_over_ln_2, to_integer))-to_integer;
   // k times the leading 42 bits of ln 2 is exact, and so is the difference.
   const double near = x - k * 0x1.62e42fefa3800p-1;
   const DoubleDouble correction = DoubleDouble{0x1.ef35793c76730p-45, 0x1.f97b57a079a19p-103} * k;

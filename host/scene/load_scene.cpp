@@ -6,10 +6,10 @@
 #include <new>
 
 #include "host/error.hpp"
-#include "host/scene/fitted_camera.hpp"
-#include "host/scene/gltf_import.hpp"
-#include "host/scene/obj_import.hpp"
-#include "host/scene/shot_file.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
+#include "host/scene/model/fitted_camera.hpp"
+#include "host/scene/obj/obj_import.hpp"
+#include "host/scene/shot/shot_file.hpp"
 
 namespace morphcl {
 

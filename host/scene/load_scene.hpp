@@ -1,27 +1,19 @@
 // A scene from a file of any kind that can be rendered.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "anim/time_base.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/load_options.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl {
-
-// What the caller decides instead of the file.
-struct LoadOptions {
-  bool allow_outside = false;        // files may lie outside the folder of the file that names them
-  std::optional<TimeBase> fps;       // frames per second
-  std::optional<int> width, height;  // pixels; the fitted camera frames for this size
-};
 
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw
 // them with nothing but the object: camera and lights of the file, else the fitted camera and the key light; frames 0
 // to the last one at or before the last key.
 //
-// The result is valid (host/scene/scene.hpp). Errors: cannot_read when the file is missing or unreadable, bad_input
-// when it or what it names is wrong, usage for another extension or options out of range.
+// The result is valid (host/scene/model/scene.hpp). Errors: cannot_read when the file is missing or unreadable,
+// bad_input when it or what it names is wrong, usage for another extension or options out of range.
 Scene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace morphcl

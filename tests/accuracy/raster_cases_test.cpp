@@ -5,10 +5,11 @@
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/shade.hpp"
 #include "host/render/reference/visibility.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/render/scene_builder.hpp"

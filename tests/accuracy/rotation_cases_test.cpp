@@ -201,8 +201,7 @@ TEST(ExtremeCase, BasisFromANormalNearMinusZ) {
   Worst stable, naive_form;
   for (const float tilt : {0.0f, 1e-7f, 1e-5f, 1e-4f, 1e-3f, 0.1f, 1.0f}) {
     const glm::vec3 normal(glm::normalize(glm::dvec3(tilt, 0.5 * tilt, -1)));
-    add_defect(
-        stable, [](const glm::vec3& n) { return orthonormal_basis(n); }, normal);
+    add_defect(stable, [](const glm::vec3& n) { return orthonormal_basis(n); }, normal);
     if (tilt > 0) add_defect(naive_form, naive::frisvad_basis, normal);
   }
   expect_demand(stable, naive_form);

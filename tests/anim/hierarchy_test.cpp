@@ -24,11 +24,8 @@ TEST(Hierarchy, ParentsComeFirstInAnyOrder) {
 
 TEST(Hierarchy, CyclesAndMissingParentsAreErrors) {
   expect_error([] { parents_first(Parents{0}); }, ErrorKind::bad_input, "nodes[0]");
-  expect_error(
-      [] {
-        parents_first(Parents{-1, 3, 1, 2, 0});
-      },
-      ErrorKind::bad_input, "3 nodes are each other's parents");
+  expect_error([] { parents_first(Parents{-1, 3, 1, 2, 0}); }, ErrorKind::bad_input,
+               "3 nodes are each other's parents");
   expect_error([] { parents_first(Parents{-1, 7}); }, ErrorKind::bad_input, "parent 7 does not exist");
   expect_error([] { parents_first(Parents{-2}); }, ErrorKind::bad_input, "parent -2");
 }

@@ -191,16 +191,10 @@ TEST(TimelineValidate, NamesWhatIsWrong) {
   const double nan = std::nan("");
   refuses([](Timeline& t) { t.nodes[0].parent = 1; }, "2 nodes are each other's parents");
   refuses([](Timeline& t) { t.nodes[0].parent = 2; }, "nodes[0]: parent 2");
-  refuses(
-      [](Timeline& t) {
-        t.nodes[1].translation_track = linear(2, {0, 0, 0, 0});
-      },
-      "nodes[1] arm: the translation track");
-  refuses(
-      [](Timeline& t) {
-        t.nodes[1].rotation_track = linear(4, {0, 0, 0, 1, 0, 0, 0, 1});
-      },
-      "must be a rotation track");
+  refuses([](Timeline& t) { t.nodes[1].translation_track = linear(2, {0, 0, 0, 0}); },
+          "nodes[1] arm: the translation track");
+  refuses([](Timeline& t) { t.nodes[1].rotation_track = linear(4, {0, 0, 0, 1, 0, 0, 0, 1}); },
+          "must be a rotation track");
   refuses([](Timeline& t) { t.nodes[1].scale_track = linear(1, {0, 0}); }, "the scale track has 1");
   refuses([](Timeline& t) { t.nodes[1].visible_track = linear(3, {0, 0, 0, 0, 0, 0}); }, "the visible track has 3");
   refuses([&](Timeline& t) { t.nodes[1].translation.y = nan; }, "translation is NaN");
@@ -209,11 +203,8 @@ TEST(TimelineValidate, NamesWhatIsWrong) {
   refuses([](Timeline& t) { t.nodes[1].rotation = {0, 0, 0, 0}; }, "rotation is 0 0 0 0");
   refuses([](Timeline& t) { t.weights[0].tracks = {{1, linear(2, {0, 0, 0, 0})}}; }, "weights[0]");
   refuses([](Timeline& t) { t.weights[0].tracks = {{-1, linear(1, {0, 0})}}; }, "from target -1");
-  refuses(
-      [](Timeline& t) {
-        t.weights[0].tracks = {{std::numeric_limits<int>::max(), linear(1, {0, 0})}};
-      },
-      "do not exist");
+  refuses([](Timeline& t) { t.weights[0].tracks = {{std::numeric_limits<int>::max(), linear(1, {0, 0})}}; },
+          "do not exist");
   refuses([&](Timeline& t) { t.weights[0].weights[1] = nan; }, "weight 1");
   refuses([](Timeline& t) { t.camera.node = 2; }, "camera: node 2");
   refuses([](Timeline& t) { t.camera.node = -2; }, "camera: node -2");

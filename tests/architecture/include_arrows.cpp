@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
+#include <stdexcept>
 
 namespace morphcl::architecture {
 
@@ -15,8 +17,11 @@ struct Include {
   bool angled;
 };
 
-const std::vector<std::string> library_folders = {"host", "anim", "kernels"};
+const std::string public_folder = "include/morphcl";
+// What users of the library write, in effect: they may include every room, but not one another.
 const std::vector<std::string> outer_folders = {"cli", "demos", "tests", "bench"};
+const std::vector<std::string> all_folders = {"include", "host",  "anim",  "kernels", "lab",
+                                              "cli",     "demos", "tests", "bench"};
 
 bool is_source(const fs::path& path) {
   static const std::set<std::string> extensions = {".hpp", ".cpp", ".h", ".cl", ".in"};
@@ -27,13 +32,17 @@ bool starts_with_folder(const std::string& path, const std::string& folder) {
   return path.compare(0, folder.size() + 1, folder + "/") == 0;
 }
 
-// "host/math" for host/math/a.hpp, "host" for host/error.hpp, "anim" for anim/deep/b.hpp, "tests" for tests/x/y.cpp.
-std::string folder_of(const std::string& path) {
-  const std::size_t first = path.find('/');
-  if (first == std::string::npos) return "";
-  if (path.compare(0, first, "host") != 0) return path.substr(0, first);
-  const std::size_t second = path.find('/', first + 1);
-  return path.substr(0, second == std::string::npos ? first : second);
+// The nearest room above a file, or the top folder of one that lies in none.
+std::string room_of(const std::string& path, const Rooms& rooms) {
+  if (starts_with_folder(path, public_folder)) {
+    const std::string stem = fs::path(path).stem().string();
+    for (const auto& [name, room] : rooms)
+      if (room.public_headers.count(stem) != 0) return name;
+    return public_folder;
+  }
+  for (fs::path folder = fs::path(path).parent_path(); !folder.empty(); folder = folder.parent_path())
+    if (rooms.count(folder.generic_string()) != 0) return folder.generic_string();
+  return path.substr(0, path.find('/'));
 }
 
 void read_includes(const fs::path& root, const fs::path& file, std::vector<Include>& found) {
@@ -55,9 +64,7 @@ void read_includes(const fs::path& root, const fs::path& file, std::vector<Inclu
 
 std::vector<Include> all_includes(const fs::path& root) {
   std::vector<Include> found;
-  std::vector<std::string> folders = library_folders;
-  folders.insert(folders.end(), outer_folders.begin(), outer_folders.end());
-  for (const std::string& folder : folders) {
+  for (const std::string& folder : all_folders) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file() && is_source(entry.path())) read_includes(root, entry.path(), found);
@@ -71,28 +78,39 @@ bool is_outer(const std::string& folder) {
   return std::find(outer_folders.begin(), outer_folders.end(), folder) != outer_folders.end();
 }
 
-// Kernels name their headers without a folder.
-std::string from_root(const Include& include) {
-  return starts_with_folder(include.from, "kernels") && include.to.find('/') == std::string::npos
-             ? "kernels/" + include.to
-             : include.to;
+// Kernels name their headers without a folder, or by the folder of kernels; public headers by <morphcl/NAME.hpp>.
+std::string from_root(const Include& include, const fs::path& root) {
+  if (starts_with_folder(include.to, "morphcl")) return "include/" + include.to;
+  const fs::path beside = fs::path(include.from).parent_path() / include.to;
+  const std::string extension = fs::path(include.from).extension().string();
+  const bool in_kernel = extension == ".cl" || extension == ".h";
+  if (in_kernel && include.to.find('/') == std::string::npos)
+    return fs::exists(root / beside) ? beside.generic_string() : "kernels/" + include.to;
+  return include.to;
 }
 
-std::string why_forbidden(const Include& include, const Arrows& arrows) {
-  const std::string from = folder_of(include.from), to = folder_of(from_root(include));
-  // The header that users include to have everything stands above all folders.
+std::string joined(const std::set<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? "nothing" : list;
+}
+
+std::string why_forbidden(const Include& include, const std::string& target, const Rooms& rooms) {
+  const std::string from = room_of(include.from, rooms), to = room_of(target, rooms);
+  const bool from_public = starts_with_folder(include.from, public_folder);
+  const bool to_public = starts_with_folder(target, public_folder);
+  // The header that users include to have everything stands above all rooms.
   const std::string umbrella = "host/morphcl.hpp";
   if (include.from == umbrella && !is_outer(to)) return "";
-  if (from_root(include) == umbrella && !is_outer(from)) return "the library does not include its own umbrella header";
-  if (from == to || to == "host") return "";
+  if (target == umbrella && !is_outer(from)) return "the library does not include its own umbrella header";
+  if (from_public && !to_public) return "a public header includes public headers only";
+  if (from == to) return from == public_folder ? "cmake/rooms.txt does not say whose header this is" : "";
   if (is_outer(to)) return starts_with_folder(include.from, "tests/" + to) ? "" : "only its own tests include " + to;
   if (is_outer(from)) return "";
-  const auto entry = arrows.find(from);
-  if (entry == arrows.end()) return from + " is no folder of the layout";
-  if (entry->second.count(to) != 0) return "";
-  std::string list;
-  for (const std::string& folder : entry->second) list += (list.empty() ? "" : ", ") + folder;
-  return from + " may include: " + (list.empty() ? "nothing" : list);
+  const auto entry = rooms.find(from);
+  if (entry == rooms.end()) return from + " is no room of cmake/rooms.txt";
+  if (entry->second.may_include.count(to) != 0) return "";
+  return from + " may include: " + joined(entry->second.may_include);
 }
 
 // Depth-first search with the path from the root of the search, so that a circle can be printed.
@@ -129,44 +147,69 @@ class CircleSearch {
 };
 }  // namespace
 
-const Arrows& allowed_arrows() {
-  static const Arrows arrows = {
-      {"kernels", {}},
-      {"host", {}},
-      {"host/math", {}},
-      {"anim", {"host/math"}},
-      {"host/geometry", {"host/math"}},
-      {"host/visibility", {}},
-      {"host/image", {"host/math"}},
-      {"host/scene", {"anim", "host/geometry", "host/math"}},
-      {"host/device", {"kernels"}},
-      {"host/batch", {"host/device", "host/math", "kernels"}},
-      {"host/render", {"host/device", "host/scene", "host/geometry", "host/math", "host/image", "anim", "kernels"}},
-      {"host/job", {"host/render", "host/scene", "host/image", "anim"}},
-      {"host/accuracy",
-       {"host/render", "host/batch", "host/device", "host/scene", "host/geometry", "host/image", "host/math", "anim"}},
-  };
-  return arrows;
+Rooms read_rooms(const fs::path& root) {
+  Rooms rooms;
+  std::ifstream stream(root / "cmake/rooms.txt");
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line[0] == '#') continue;
+    const auto wrong = [&](const std::string& what) {
+      return std::runtime_error("cmake/rooms.txt:" + std::to_string(number) + ": " + what);
+    };
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) throw wrong("no colon behind the room");
+    const auto [entry, added] = rooms.try_emplace(line.substr(0, colon));
+    if (!added) throw wrong("a room that stands twice");
+    std::istringstream words(line.substr(colon + 1));
+    bool headers = false;
+    for (std::string word; words >> word;) {
+      if (word == "|")
+        headers = true;
+      else
+        (headers ? entry->second.public_headers : entry->second.may_include).insert(word);
+    }
+  }
+  for (const auto& [name, room] : rooms)
+    for (const std::string& included : room.may_include)
+      if (rooms.count(included) == 0)
+        throw std::runtime_error("cmake/rooms.txt: " + name + " names no room " + included);
+  return rooms;
 }
 
-std::vector<std::string> forbidden_includes(const fs::path& root, const Arrows& arrows,
+std::vector<std::string> forbidden_includes(const fs::path& root, const Rooms& rooms,
                                             const std::set<std::string>& generated) {
   std::vector<std::string> lines;
   for (const Include& include : all_includes(root)) {
-    if (include.angled) continue;
+    const std::string target = from_root(include, root);
+    if (include.angled && !starts_with_folder(target, public_folder)) continue;
     const std::string place = include.from + ":" + std::to_string(include.line) + " includes " + include.to + "; ";
-    if (!fs::exists(root / from_root(include)) && generated.count(include.to) == 0)
+    if (!fs::exists(root / target) && generated.count(target) == 0)
       lines.push_back(place + "there is no such file from the root");
-    else if (const std::string why = why_forbidden(include, arrows); !why.empty())
+    else if (const std::string why = why_forbidden(include, target, rooms); !why.empty())
       lines.push_back(place + why);
   }
   return lines;
 }
 
+std::vector<std::string> rooms_in_circles(const Rooms& rooms) {
+  // Rooms are removed once everything that they may include is gone; those in a circle never are.
+  Rooms left = rooms;
+  for (bool removed = true; removed;) {
+    removed = std::erase_if(left, [&](const auto& entry) {
+                const auto& to = entry.second.may_include;
+                return std::none_of(to.begin(), to.end(), [&](const auto& name) { return left.count(name) != 0; });
+              }) != 0;
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : left) names.push_back(entry.first);
+  return names;
+}
+
 std::vector<std::string> include_circles(const fs::path& root) {
   std::map<std::string, std::vector<std::string>> graph;
   for (const Include& include : all_includes(root))
-    if (!include.angled) graph[include.from].push_back(from_root(include));
+    if (!include.angled || starts_with_folder(include.to, "morphcl"))
+      graph[include.from].push_back(from_root(include, root));
   return CircleSearch(std::move(graph)).run();
 }
 

@@ -195,8 +195,7 @@ TEST(TransformBuffers, RefusesBuffersThatAreTooSmall) {
   const ChoiceBuffers indices = IndexBuffer{buffer_of(session, std::vector<std::uint32_t>(10))};
   const auto refused = [&](const VertexBuffers& in, const VertexBuffers& out, const ChoiceBuffers& choice,
                            const std::string& text) {
-    expect_error(
-        ErrorKind::usage, [&] { enqueue_transform(session, transform, in, out, 10, choice); }, text);
+    expect_error(ErrorKind::usage, [&] { enqueue_transform(session, transform, in, out, 10, choice); }, text);
   };
   refused(nine, ten, indices, "108 bytes for the vertices; at least 120");
   refused(ten, nine, indices, "108 bytes for the results; at least 120");

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "host/render/plan.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/scene/load_scene.hpp"
 
 namespace morphcl::viewer_test {

@@ -6,7 +6,7 @@
 
 #include "host/image/frame_buffer.hpp"
 #include "host/image/png_file.hpp"
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::viewer_test {
 

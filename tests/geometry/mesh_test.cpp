@@ -45,41 +45,28 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::n
 
 INSTANTIATE_TEST_SUITE_P(
     All, BrokenMesh,
-    ::testing::Values(Broken{"Empty", [](Mesh& m) { m.positions.clear(), m.triangles.clear(); },
-                             "positions is empty; a mesh needs at least one vertex"},
-                      Broken{"NanPosition", [](Mesh& m) { m.positions[1].y = nan; },
-                             "positions[1] holds nan; every component must be finite"},
-                      Broken{"InfinitePosition", [](Mesh& m) { m.positions[2].z = -infinity; },
-                             "positions[2] holds -inf; every component must be finite"},
-                      Broken{"ShortNormals", [](Mesh& m) { m.normals.resize(2, glm::vec3(0, 0, 1)); },
-                             "normals has 2 elements; one for each of the 3 vertices is needed"},
-                      Broken{"LongColors", [](Mesh& m) { m.colors.resize(4, glm::vec4(1)); },
-                             "colors has 4 elements; one for each of the 3 vertices is needed"},
-                      Broken{"NanNormal",
-                             [](Mesh& m) {
-                               m.normals = {{0, 0, 1}, {0, 0, 1}, {nan, 0, 0}};
-                             },
-                             "normals[2] holds nan; every component must be finite"},
-                      Broken{"TriangleIndex",
-                             [](Mesh& m) {
-                               m.triangles.push_back({0, 1, 3});
-                             },
-                             "triangles[1] names vertex 3; there are 3 vertices, counted from 0"},
-                      Broken{"EdgeIndex",
-                             [](Mesh& m) {
-                               m.edges = {{0, 4000000000u}};
-                             },
-                             "edges[0] names vertex 4000000000; there are 3 vertices, counted from 0"},
-                      Broken{"ShortTarget",
-                             [](Mesh& m) {
-                               m.targets = {{"t", TargetForm::delta, {{0, 0, 0}}, {}, {}}};
-                             },
-                             "targets[0].positions has 1 elements; one for each of the 3 vertices is needed"},
-                      Broken{"NanTargetNormal",
-                             [](Mesh& m) {
-                               m.targets = {{}, {"t", TargetForm::delta, {}, {{0, 0, 1}, {0, nan, 1}, {0, 0, 1}}, {}}};
-                             },
-                             "targets[1].normals[1] holds nan; every component must be finite"}),
+    ::testing::Values(
+        Broken{"Empty", [](Mesh& m) { m.positions.clear(), m.triangles.clear(); },
+               "positions is empty; a mesh needs at least one vertex"},
+        Broken{"NanPosition", [](Mesh& m) { m.positions[1].y = nan; },
+               "positions[1] holds nan; every component must be finite"},
+        Broken{"InfinitePosition", [](Mesh& m) { m.positions[2].z = -infinity; },
+               "positions[2] holds -inf; every component must be finite"},
+        Broken{"ShortNormals", [](Mesh& m) { m.normals.resize(2, glm::vec3(0, 0, 1)); },
+               "normals has 2 elements; one for each of the 3 vertices is needed"},
+        Broken{"LongColors", [](Mesh& m) { m.colors.resize(4, glm::vec4(1)); },
+               "colors has 4 elements; one for each of the 3 vertices is needed"},
+        Broken{"NanNormal", [](Mesh& m) { m.normals = {{0, 0, 1}, {0, 0, 1}, {nan, 0, 0}}; },
+               "normals[2] holds nan; every component must be finite"},
+        Broken{"TriangleIndex", [](Mesh& m) { m.triangles.push_back({0, 1, 3}); },
+               "triangles[1] names vertex 3; there are 3 vertices, counted from 0"},
+        Broken{"EdgeIndex", [](Mesh& m) { m.edges = {{0, 4000000000u}}; },
+               "edges[0] names vertex 4000000000; there are 3 vertices, counted from 0"},
+        Broken{"ShortTarget", [](Mesh& m) { m.targets = {{"t", TargetForm::delta, {{0, 0, 0}}, {}, {}}}; },
+               "targets[0].positions has 1 elements; one for each of the 3 vertices is needed"},
+        Broken{"NanTargetNormal",
+               [](Mesh& m) { m.targets = {{}, {"t", TargetForm::delta, {}, {{0, 0, 1}, {0, nan, 1}, {0, 0, 1}}, {}}}; },
+               "targets[1].normals[1] holds nan; every component must be finite"}),
     [](const auto& test) { return test.param.what; });
 
 TEST(Edges, AreDistinctSortedAndSmallerIndexFirst) {

@@ -9,7 +9,7 @@
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
 #include "host/image/exr_file.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/job/frame_lists.hpp"

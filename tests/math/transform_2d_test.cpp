@@ -100,11 +100,8 @@ TEST(Transform2d, HostileInputIsAnError) {
   expect_error([&] { CompositeTransform2d().rotate_degrees(infinity); }, ErrorKind::usage, "degrees is inf");
   expect_error([&] { CompositeTransform2d().rotate_about_degrees({nan, 0}, 1); }, ErrorKind::usage, "rotate_about");
   expect_error([&] { CompositeTransform2d().scale_about({1e200, 0}, {1e200, 1}); }, ErrorKind::usage, "scale_about");
-  expect_error(
-      [] {
-        CompositeTransform2d().scale({1e200, 1}).scale({1e200, 1}).matrix();
-      },
-      ErrorKind::usage, "product");
+  expect_error([] { CompositeTransform2d().scale({1e200, 1}).scale({1e200, 1}).matrix(); }, ErrorKind::usage,
+               "product");
   expect_error([] { view_to_ndc({1, 1, 0, 1}); }, ErrorKind::usage, "right is 1");
   expect_error([] { ndc_to_pixels({0, 0, 0, 1}); }, ErrorKind::usage, "width");
 }

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "host/job/render_job.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/scene/load_scene.hpp"
 #include "tests/device/temporary_folder.hpp"
 #include "tests/render/parity.hpp"

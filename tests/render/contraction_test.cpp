@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "host/device/kernel_source.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/device/kernel_libraries.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"

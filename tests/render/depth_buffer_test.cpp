@@ -8,9 +8,9 @@
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
-#include "host/render/device_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/render/reference/visibility.hpp"
-#include "host/render/reference_renderer.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"

@@ -8,8 +8,9 @@
 
 #include "host/error.hpp"
 #include "host/image/pixel_hash.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/test_scenes.hpp"
 
 int main(int count, char** values) {

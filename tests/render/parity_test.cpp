@@ -1,8 +1,8 @@
 // The device draws the reference's bits: every test scene, at sizes that do and do not fill whole tiles.
 #include "tests/render/parity.hpp"
 
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/render/test_scenes.hpp"
 

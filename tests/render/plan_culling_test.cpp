@@ -6,9 +6,9 @@
 #include "anim/timeline_at.hpp"
 #include "host/geometry/solids.hpp"
 #include "host/math/composite_transform.hpp"
-#include "host/render/plan.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/plan/view_volume.hpp"
 #include "tests/render/scene_builder.hpp"
 

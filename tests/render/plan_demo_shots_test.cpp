@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <map>
 
-#include "host/render/device_renderer.hpp"
-#include "host/render/plan/report.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/explain/report.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/scene/load_scene.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"

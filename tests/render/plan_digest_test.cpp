@@ -1,5 +1,5 @@
 // The digest of a plan changes with everything that decides pixels, and with nothing else.
-#include "host/render/plan_digest.hpp"
+#include "host/render/frame/plan_digest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,10 +61,7 @@ const std::vector<Change> changes_of_pixels{
     {"normal_to_eye", [](FramePlan& p) { p.draws[1].normal_to_eye[2][2] = 1; }},
     {"base colour", [](FramePlan& p) { p.draws[0].base_color[3] = 0; }},
     {"vertex colours", [](FramePlan& p) { p.draws[0].vertex_colors = true; }},
-    {"target",
-     [](FramePlan& p) {
-       p.draws[1].targets.push_back({1, 1.0f, 0.0f});
-     }},
+    {"target", [](FramePlan& p) { p.draws[1].targets.push_back({1, 1.0f, 0.0f}); }},
     {"displaced positions",
      [](FramePlan& p) {
        DisplacedPositions displaced;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/solids.hpp"
-#include "host/render/device_renderer.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"

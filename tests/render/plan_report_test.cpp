@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "host/geometry/solids.hpp"
-#include "host/render/plan/earlier_frames.hpp"
-#include "host/render/plan/report.hpp"
-#include "host/render/plan/screen_reach.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/explain/earlier_frames.hpp"
+#include "host/render/explain/report.hpp"
+#include "host/render/explain/screen_reach.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
 

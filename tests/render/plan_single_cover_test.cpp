@@ -7,9 +7,9 @@
 
 #include "host/geometry/solids.hpp"
 #include "host/math/composite_transform.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 #include "host/render/plan/screen_boundary.hpp"
 #include "host/render/plan/single_cover.hpp"
-#include "host/render/reference/scene_vertices.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
-#include "host/render/plan/report.hpp"
+#include "host/render/explain/report.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {

@@ -3,7 +3,7 @@
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {

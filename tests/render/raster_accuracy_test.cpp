@@ -9,8 +9,8 @@
 
 #include "host/geometry/solids.hpp"
 #include "host/render/reference/clip_polygon.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "host/render/reference/visibility.hpp"
-#include "host/render/reference_renderer.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {

@@ -1,7 +1,7 @@
 // Small steps for building test scenes.
 #pragma once
 
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl::test {
 

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "host/geometry/solids.hpp"
-#include "host/render/device_renderer.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 #include "host/render/plan/view_volume.hpp"
-#include "host/render/reference/scene_vertices.hpp"
-#include "host/render/reference_renderer.hpp"
+#include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"

@@ -1,4 +1,4 @@
-#include "host/scene/fitted_camera.hpp"
+#include "host/scene/model/fitted_camera.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/scene/frame_range.hpp"
+#include "host/scene/model/frame_range.hpp"
 
 #include <gtest/gtest.h>
 

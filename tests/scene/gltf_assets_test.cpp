@@ -12,7 +12,7 @@
 
 #include "host/error.hpp"
 #include "host/geometry/mesh.hpp"
-#include "host/scene/gltf_import.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_comparison.hpp"
 
 namespace morphcl::test {
@@ -35,8 +35,7 @@ std::vector<std::string> files_below(const std::string& folder) {
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
   const fs::path path = info.param;
   std::string name = path.parent_path().filename().string() + "_" + path.filename().string();
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return std::to_string(info.index) + "_" + name;
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "host/scene/gltf_import.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
 #include "tests/scene/import_error.hpp"
 

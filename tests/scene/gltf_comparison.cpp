@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host/scene/gltf_import.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_evaluator.hpp"
 
 namespace morphcl::test {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "host/scene/gltf_import.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 namespace morphcl::test {

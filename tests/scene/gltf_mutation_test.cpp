@@ -5,7 +5,7 @@
 
 #include "host/error.hpp"
 #include "host/geometry/mesh.hpp"
-#include "host/scene/gltf_import.hpp"
+#include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 namespace morphcl::test {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "host/scene/content_hash.hpp"
-#include "host/scene/input_file.hpp"
+#include "host/scene/model/content_hash.hpp"
+#include "host/scene/model/input_file.hpp"
 #include "tests/scene/import_error.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/scene/nearest_name.hpp"
+#include "host/scene/shot/nearest_name.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "host/geometry/mesh.hpp"
-#include "host/scene/obj_import.hpp"
+#include "host/scene/obj/obj_import.hpp"
 
 namespace morphcl::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "host/geometry/mesh.hpp"
-#include "host/scene/obj_import.hpp"
+#include "host/scene/obj/obj_import.hpp"
 #include "tests/scene/import_error.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "host/scene/obj_text.hpp"
+#include "host/scene/obj/obj_text.hpp"
 
 namespace morphcl::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "host/scene/polygon_triangulation.hpp"
+#include "host/scene/obj/polygon_triangulation.hpp"
 
 namespace morphcl::test {
 namespace {

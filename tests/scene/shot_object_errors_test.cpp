@@ -4,8 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "host/scene/mesh_library.hpp"
-#include "host/scene/shot_value.hpp"
+#include "host/scene/shot/mesh_library.hpp"
+#include "host/scene/shot/shot_value.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {

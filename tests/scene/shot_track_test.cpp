@@ -137,7 +137,7 @@ TEST(ShotTrack, SpringsFollowTheirKeys) {
         << "frame " << frame;
   }
   // Without a range the last frame is the one by which it has settled: ln 1000 / a = 2.2 s after the key.
-  EXPECT_EQ(frame_numbers(scene.frames).back(), 5 + static_cast<int>(std::log(1000) / (M_PI)*25));
+  EXPECT_EQ(frame_numbers(scene.frames).back(), 5 + static_cast<int>(std::log(1000) / (M_PI) * 25));
 }
 
 TEST(ShotTrack, SpringsFollowLinesByDefault) {

@@ -1,5 +1,5 @@
 // Hostile and damaged shot files: refused with one line, never a crash or a hang.
-#include "host/scene/toml_document.hpp"
+#include "host/scene/shot/toml_document.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host/error.hpp"
-#include "host/scene/shot_file.hpp"
+#include "host/scene/shot/shot_file.hpp"
 
 namespace morphcl {
 namespace {

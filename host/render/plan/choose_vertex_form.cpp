@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "host/math/rounding.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/plan/vertex_bounds.hpp"
-#include "host/render/raster_grid.hpp"
 
 namespace morphcl {
 

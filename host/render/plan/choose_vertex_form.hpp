@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/geometry/bounds.hpp"
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "host/render/plan/displaced_positions.hpp"
-#include "host/scene/scene.hpp"
+#include "host/render/frame/displaced_positions.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl {
 

@@ -1,7 +1,7 @@
 // One object of a frame as the renderers get it.
 #pragma once
 
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/scene/scene.hpp"
+#include "host/scene/model/scene.hpp"
 
 namespace morphcl {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "host/render/frame/closeness.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 #include "host/render/plan/screen_boundary.hpp"
-#include "host/render/reference/closeness.hpp"
-#include "host/render/reference/scene_vertices.hpp"
 
 namespace morphcl {
 

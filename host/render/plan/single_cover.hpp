@@ -2,7 +2,7 @@
 // anything, and renderers need not compare depths.
 #pragma once
 
-#include "host/render/plan.hpp"
+#include "host/render/plan/planner.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "host/geometry/bounds.hpp"
-#include "host/render/vertex_accuracy.hpp"
+#include "host/render/frame/vertex_accuracy.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 
 #include "host/error.hpp"
 #include "host/math/rounding.hpp"
-#include "host/render/raster_grid.hpp"
+#include "host/render/frame/raster_grid.hpp"
 
 namespace morphcl {
 

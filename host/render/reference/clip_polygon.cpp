@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "host/render/kernel_layout.hpp"
+#include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl::reference {
 

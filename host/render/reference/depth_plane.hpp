@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "host/render/reference/closeness.hpp"
-#include "host/render/reference/scene_vertices.hpp"
+#include "host/render/frame/closeness.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
 

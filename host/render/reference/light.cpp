@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/render/reference/scene_vertices.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
 

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "host/render/plan.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl::reference {
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "host/render/plan.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl::reference {
 

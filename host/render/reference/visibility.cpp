@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/render/kernel_layout.hpp"
+#include "host/render/frame/kernel_layout.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/depth_plane.hpp"
 

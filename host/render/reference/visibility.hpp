@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/render/reference/scene_vertices.hpp"
+#include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
 

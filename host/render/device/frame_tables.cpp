@@ -1,0 +1,224 @@
+#include "host/render/device/frame_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "host/error.hpp"
+#include "host/render/frame/raster_grid.hpp"
+
+namespace morphcl {
+
+namespace {
+
+using layout::uint;
+
+template <std::size_t N>
+void copy(const std::array<float, N>& from, float* to) {
+  std::copy(from.begin(), from.end(), to);
+}
+
+VertexForm form_of(const Draw& draw) { return draw.accuracy ? draw.accuracy->form : VertexForm::plain; }
+
+layout::PreciseConstants make_precise_constants(const VertexAccuracy& accuracy) {
+  layout::PreciseConstants constants{};
+  copy(accuracy.pivot, constants.pivot);
+  for (int row = 0; row < 4; ++row) copy(accuracy.clip_rest[row], constants.clip_rest[row]);
+  return constants;
+}
+
+uint draw_flags(const Draw& draw) {
+  uint flags = 0;
+  if (draw.shading == Shading::wireframe) flags |= DRAW_LINES;
+  if (draw.shading == Shading::smooth) flags |= DRAW_SMOOTH;
+  if (draw.shading == Shading::flat) flags |= DRAW_FLAT;
+  if (draw.double_sided) flags |= DRAW_DOUBLE_SIDED;
+  if (draw.mirrored) flags |= DRAW_MIRRORED;
+  if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
+  if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
+  if (form_of(draw) == VertexForm::two_float) flags |= DRAW_TWO_FLOAT;
+  return flags;
+}
+
+// Groups, blocks and targets follow those of the draws before.
+layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& mesh, layout::uint positions,
+                                          const FrameTables& tables) {
+  layout::DrawConstants constants{};
+  for (int row = 0; row < 4; ++row) copy(draw.object_to_clip[row], constants.object_to_clip[row]);
+  for (int row = 0; row < 3; ++row) copy(draw.object_to_eye[row], constants.object_to_eye[row]);
+  for (int row = 0; row < 3; ++row) copy(draw.normal_to_eye[row], constants.normal_to_eye[row]);
+  copy(draw.base_color, constants.base_color);
+  const StoredMesh::Primitives& primitives = draw.shading == Shading::wireframe ? mesh.edges : mesh.triangles;
+  constants.flags = draw_flags(draw);
+  constants.group_count = mesh.vertex_groups;
+  constants.block_count = primitives.blocks;
+  if (!tables.draws.empty()) {
+    const layout::DrawConstants& before = tables.draws.back();
+    constants.first_group = before.first_group + before.group_count;
+    constants.first_block = before.first_block + before.block_count;
+  }
+  constexpr std::size_t most = (std::size_t{1} << 29) / layout::lanes - 1;
+  if (std::size_t{constants.first_group} + constants.group_count > most ||
+      std::size_t{constants.first_block} + constants.block_count > most)
+    throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
+  constants.positions = positions, constants.normals = mesh.normals, constants.colors = mesh.colors;
+  constants.pitch = mesh.pitch;
+  constants.indices = primitives.indices, constants.index_pitch = primitives.pitch;
+  constants.first_target = static_cast<uint>(tables.targets.size());
+  constants.target_count = static_cast<uint>(draw.targets.size());
+  constants.precise = static_cast<uint>(tables.precise.size());
+  return constants;
+}
+
+layout::LightConstants make_light_constants(const EyeLight& light) {
+  layout::LightConstants constants{};
+  copy(light.vector, constants.vector);
+  copy(light.color, constants.color);
+  constants.is_point = light.kind == LightKind::point;
+  constants.falloff = light.falloff;
+  return constants;
+}
+
+layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t row_pitch) {
+  layout::FrameConstants frame{};
+  const RasterGrid grid(plan.width, plan.height);
+  copy(plan.ambient, frame.ambient);
+  frame.scale_x = grid.scale_x, frame.offset_x = grid.offset_x;
+  frame.scale_y = grid.scale_y, frame.offset_y = grid.offset_y;
+  frame.guard_x = grid.guard_x, frame.guard_y = grid.guard_y;
+  copy(plan.near_plane, frame.near_plane);
+  frame.near_w = plan.near_w, frame.near_depth = plan.near_depth;
+  frame.far_depth = plan.far_depth, frame.near = plan.near;
+  copy(plan.ray, frame.ray);
+  copy(plan.slant, frame.slant);
+  copy(plan.depth_buffer.far, frame.depth_far), copy(plan.depth_buffer.scale, frame.depth_scale);
+  frame.depth_span = plan.depth_buffer.span;
+  frame.width = plan.width, frame.height = plan.height;
+  frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
+  frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;
+  frame.row_pitch = static_cast<uint>(row_pitch);
+  const uint tiles = static_cast<uint>(frame.tiles_x * frame.tiles_y);
+  frame.tile_step = 197;
+  while (std::gcd(frame.tile_step, tiles) != 1) frame.tile_step += 2;
+  frame.parallel = plan.parallel;
+  frame.light_count = static_cast<uint>(plan.lights.size());
+  frame.has_point_lights =
+      std::any_of(plan.lights.begin(), plan.lights.end(), [](const EyeLight& l) { return l.kind == LightKind::point; });
+  frame.writes_color = plan.color, frame.writes_depth = plan.depth;
+  frame.clips = plan.clips, frame.divides = plan.divides, frame.tests_depth = plan.tests_depth;
+  frame.keeps_blank_tiles = plan.keeps_blank_tiles;
+  return frame;
+}
+
+// How far a draw's middle lies from the eye, in any unit.
+float distance_of(const Draw& draw, const StoredMesh& mesh, bool parallel) {
+  const Row& row = draw.object_to_clip[parallel ? 2 : 3];
+  glm::vec3 middle = mesh.middle;
+  if (draw.accuracy) middle -= glm::vec3(draw.accuracy->pivot[0], draw.accuracy->pivot[1], draw.accuracy->pivot[2]);
+  const float along = row[0] * middle.x + row[1] * middle.y + row[2] * middle.z + row[3];
+  const float distance = parallel ? -along : along;
+  return std::isnan(distance) ? 0.0f : distance;
+}
+
+// Numbers the positions of all blocks, near draws first.
+void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<layout::DrawConstants>& draws) {
+  std::sort(order.begin(), order.end());
+  uint position = 0;
+  for (const auto& [distance, draw] : order) {
+    draws[draw].first_position = position;
+    position += draws[draw].block_count;
+  }
+}
+
+void add_targets(const Draw& draw, const StoredMesh& mesh, std::vector<layout::TargetConstants>& targets) {
+  for (const ActiveTarget& active : draw.targets) {
+    const StoredMesh::Target& target = mesh.targets[active.target];
+    const uint positions = draw.displaced ? layout::no_id : target.positions;
+    targets.push_back(
+        {active.weight, active.base_weight, positions, target.normals, target.colors, active.weight_rest, {}});
+  }
+}
+
+void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
+  tables.draws.clear(), tables.targets.clear(), tables.precise.clear(), tables.displaced.clear();
+  tables.any_flat = tables.any_smooth = tables.any_colors = false;
+  tables.only_faces = true;
+  std::vector<std::pair<float, uint>> distances;
+  distances.reserve(plan.draws.size());
+  const Mesh* drawn = nullptr;
+  const StoredMesh* mesh = nullptr;
+  for (const Draw& draw : plan.draws) {
+    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
+    const uint positions = draw.displaced ? meshes.displaced(draw.object) : mesh->positions;
+    tables.draws.push_back(make_draw_constants(draw, *mesh, positions, tables));
+    tables.displaced.push_back(draw.displaced ? draw.displaced->hash : FrameTables::PositionsHash{});
+    add_targets(draw, *mesh, tables.targets);
+    if (form_of(draw) != VertexForm::plain) tables.precise.push_back(make_precise_constants(*draw.accuracy));
+    tables.any_flat |= draw.shading == Shading::flat;
+    tables.any_smooth |= draw.shading == Shading::smooth;
+    tables.any_colors |= draw.vertex_colors;
+    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors;
+  }
+  order_by_distance(distances, tables.draws);
+}
+
+void renew_targets(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
+  tables.targets.clear();
+  const Mesh* drawn = nullptr;
+  const StoredMesh* mesh = nullptr;
+  for (const Draw& draw : plan.draws) {
+    if (draw.targets.empty()) continue;
+    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    add_targets(draw, *mesh, tables.targets);
+  }
+}
+
+template <uint layout::DrawConstants::* count>
+std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
+  std::vector<uint> numbers;
+  for (std::size_t draw = 0; draw < draws.size(); ++draw)
+    numbers.insert(numbers.end(), draws[draw].*count, static_cast<uint>(draw));
+  return numbers;
+}
+
+}  // namespace
+
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables) {
+  const DrawsOrigin origin{plan.planner, plan.draws_version};
+  if (origin.version != 0 && tables.origin == origin) {
+    renew_targets(plan, meshes, tables);
+  } else {
+    tables.origin = {};
+    make_draws(plan, meshes, tables);
+    tables.origin = origin;
+  }
+  tables.lights.clear();
+  for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
+  tables.frame = make_frame_constants(plan, row_pitch);
+  tables.frame.only_faces = tables.only_faces;
+  if (!tables.draws.empty()) {
+    const layout::DrawConstants& last = tables.draws.back();
+    tables.frame.group_count = last.first_group + last.group_count;
+    tables.frame.block_count = last.first_block + last.block_count;
+  }
+}
+
+std::vector<uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::group_count>(draws);
+}
+
+std::vector<uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::block_count>(draws);
+}
+
+std::vector<uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws) {
+  std::vector<uint> numbers;
+  if (!draws.empty()) numbers.resize(draws.back().first_block + draws.back().block_count);
+  for (std::size_t draw = 0; draw < draws.size(); ++draw)
+    std::fill_n(numbers.begin() + draws[draw].first_position, draws[draw].block_count, static_cast<uint>(draw));
+  return numbers;
+}
+
+}  // namespace morphcl

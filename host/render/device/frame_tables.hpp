@@ -1,0 +1,45 @@
+// The tables that the kernels walk through for one plan: draws, active targets, lights, and which draw each vertex
+// group and primitive block belongs to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/render/device/mesh_store.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "host/render/frame/kernel_layout.hpp"
+
+namespace morphcl {
+
+// Which draws a table holds; none is known for `version` 0.
+struct DrawsOrigin {
+  std::uint64_t planner = 0, version = 0;
+  bool operator==(const DrawsOrigin&) const = default;
+};
+
+struct FrameTables {
+  DrawsOrigin origin;
+  std::vector<layout::DrawConstants> draws;
+  std::vector<layout::TargetConstants> targets;
+  std::vector<layout::PreciseConstants> precise;  // of draws that are not plain
+  std::vector<layout::LightConstants> lights;
+  using PositionsHash = std::array<std::uint64_t, 2>;
+  std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
+  layout::FrameConstants frame{};        // without what depends on pools and chunks, which the renderer fills in
+  bool any_flat = false, any_smooth = false, any_colors = false;
+  bool only_faces = true;  // every draw is flat and without vertex colours
+};
+
+// Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must
+// still be stored where they were, or `origin` be cleared. Error(bad_input) when the frame has more vertices or
+// primitives than ids can number.
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables);
+
+// For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.
+std::vector<layout::uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws);
+std::vector<layout::uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws);
+// For each position the draw whose block is binned there.
+std::vector<layout::uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws);
+
+}  // namespace morphcl

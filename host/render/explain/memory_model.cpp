@@ -1,0 +1,97 @@
+#include "host/render/explain/memory_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "host/render/frame/kernel_layout.hpp"
+
+namespace morphcl {
+
+namespace {
+
+std::size_t padded(std::size_t count, std::size_t multiple) { return (count + multiple - 1) / multiple * multiple; }
+
+// Planes of floats, every attribute of the mesh and its targets, whether a frame uses it or not.
+std::size_t attribute_bytes(const Mesh& mesh) {
+  std::size_t planes = 3 + (mesh.normals.empty() ? 0 : 3) + (mesh.colors.empty() ? 0 : 4);
+  for (const MorphTarget& target : mesh.targets)
+    planes += (target.positions.empty() ? 0 : 3) + (target.normals.empty() || mesh.normals.empty() ? 0 : 3) +
+              (target.colors.empty() || mesh.colors.empty() ? 0 : 4);
+  return planes * padded(mesh.positions.size(), layout::lanes) * sizeof(float);
+}
+
+std::size_t primitive_count(const Draw& draw) {
+  if (draw.shading != Shading::wireframe) return draw.mesh->triangles.size();
+  return draw.mesh->edges.empty() ? draw.mesh->triangles.size() * 3 / 2 : draw.mesh->edges.size();
+}
+
+struct Totals {
+  std::size_t attributes = 0, indices = 0;  // bytes, each mesh once
+  std::size_t vertices = 0, primitives = 0;
+  bool lit = false, flat = false, tinted = false;
+};
+
+Totals add_up(const FramePlan& plan) {
+  Totals totals;
+  std::set<const Mesh*> meshes;
+  for (const Draw& draw : plan.draws) {
+    const std::size_t primitives = padded(primitive_count(draw), layout::lanes);
+    if (draw.displaced) totals.attributes += 3 * padded(draw.mesh->positions.size(), layout::lanes) * sizeof(float);
+    totals.vertices += padded(draw.mesh->positions.size(), layout::lanes);
+    totals.primitives += primitives;
+    totals.flat |= draw.shading == Shading::flat;
+    totals.lit |= draw.shading == Shading::flat || draw.shading == Shading::smooth;
+    totals.tinted |= draw.vertex_colors;
+    if (!meshes.insert(draw.mesh).second) continue;
+    totals.attributes += attribute_bytes(*draw.mesh);
+    totals.indices +=
+        3 * sizeof(layout::uint) *
+        (padded(draw.mesh->triangles.size(), layout::lanes) + (draw.shading == Shading::wireframe ? primitives : 0));
+  }
+  return totals;
+}
+
+}  // namespace
+
+MemoryNeed estimate_memory(const FramePlan& plan) {
+  const Totals totals = add_up(plan);
+  MemoryNeed need;
+  const auto add = [&need](std::size_t& sum, std::size_t bytes, const char* name) {
+    sum += bytes;
+    if (bytes > need.largest_buffer) need.largest_buffer = bytes, need.largest_name = name;
+  };
+  add(need.meshes, totals.attributes, "vertices and morph targets of the meshes");
+  add(need.meshes, totals.indices, "indices of the meshes");
+  constexpr std::size_t record = 16;
+  add(need.vertices, totals.vertices * record, "projected vertices");
+  if (totals.lit) add(need.vertices, totals.vertices * record, "normals");
+  if (totals.tinted) add(need.vertices, totals.vertices * record, "vertex colours");
+  if (totals.flat) add(need.vertices, totals.primitives * record, "light of the faces");
+
+  // The bins of the device renderer as it guesses them: up to 64 chunks of primitives, each with lists a tile.
+  const std::size_t tiles = padded(static_cast<std::size_t>(plan.width), layout::tile) / layout::tile *
+                            (padded(static_cast<std::size_t>(plan.height), layout::tile) / layout::tile);
+  const std::size_t chunks = std::clamp<std::size_t>(totals.primitives / layout::lanes / 64, 1, 64);
+  const std::size_t in_chunk = totals.primitives / chunks;
+  constexpr std::size_t fragment_page = layout::page * (8 + 2) + 4, entry_page = layout::page * 4 + 4;
+  add(need.bins, chunks * (256 + in_chunk / 32) * fragment_page, "fragments of small triangles");
+  add(need.bins, chunks * (64 + tiles) * entry_page, "lists of large triangles");
+  add(need.bins, chunks * (64 + in_chunk / 8) * sizeof(layout::LargeTriangle), "large triangles");
+  add(need.bins, chunks * tiles * 2 * sizeof(layout::uint), "heads of the tiles' lists");
+
+  const std::size_t samples = tiles * layout::tile * layout::tile;
+  if (plan.color) add(need.pixels, samples * 8, "colour of the pixels");
+  if (plan.depth) add(need.pixels, samples * 4, "distances of the pixels");
+  return need;
+}
+
+std::string exceeded_limit(const MemoryNeed& need, std::size_t largest_allocation) {
+  if (need.largest_buffer <= largest_allocation) return "";
+  return fmt::format("{} need {:.1f} MiB in one piece; the device allocates at most {:.1f} MiB", need.largest_name,
+                     static_cast<double>(need.largest_buffer) / 0x1p20,
+                     static_cast<double>(largest_allocation) / 0x1p20);
+}
+
+}  // namespace morphcl

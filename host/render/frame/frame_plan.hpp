@@ -1,0 +1,78 @@
+// The plan of a frame as renderers take it: what is drawn, from where, and which steps this frame needs.
+//
+// Everything that needs fp64 or trigonometry happened before; what stands here is rounded to fp32 once, the same for
+// device and reference.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "anim/timeline.hpp"
+#include "host/render/frame/active_targets.hpp"
+#include "host/render/frame/depth_buffer.hpp"
+#include "host/render/frame/displaced_positions.hpp"
+#include "host/render/frame/vertex_accuracy.hpp"
+#include "host/scene/model/scene.hpp"
+
+namespace morphcl {
+
+struct Draw {
+  const Mesh* mesh = nullptr;
+  std::uint32_t object = 0;  // index into the scene's objects
+  Shading shading = Shading::flat;
+  bool double_sided = false;
+  bool mirrored = false;              // the object's transform has a negative determinant: front faces turn clockwise
+  std::array<Row, 4> object_to_clip;  // rows x, y, depth, w
+  std::array<Row, 3> object_to_eye;   // for lighting: positions
+  std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
+  std::array<float, 4> base_color;
+  bool vertex_colors = false;
+  ActiveTargets targets;                           // only those with a weight other than 0
+  std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
+  // In place of the morphed positions; then targets move normals and colours only. Null for most objects.
+  std::shared_ptr<const DisplacedPositions> displaced;
+};
+
+struct EyeLight {
+  LightKind kind;
+  std::array<float, 3> vector;  // eye space: unit direction towards the light, or position
+  std::array<float, 3> color;
+  bool falloff;
+};
+
+struct FramePlan {
+  std::uint64_t planner =
+      0;  // which planner made it: plans of one planner share their meshes, which then do not change
+  std::int64_t frame = 0;
+  int width = 0, height = 0;
+  bool color = true, depth = true;
+  std::vector<Draw> draws;
+  // Not 0: plans of one planner with the same number have the same draws, but for their targets' weights.
+  std::uint64_t draws_version = 0;
+  std::vector<EyeLight> lights;
+  std::array<float, 3> ambient{};
+  bool parallel = false;              // parallel projectors: w is 1 everywhere
+  std::array<float, 3> near_plane{};  // distance in front of it: [0] depth row + [1] w row + [2]; 0 or more is drawn
+  float near_w = 1;                   // w on the near plane
+  float near_depth = 0;               // depth on the near plane; larger depths are nearer
+  float far_depth = 0;                // depth on the far plane: smaller ones are not drawn
+  float near = 0;                     // perspective: Z = near / depth; parallel: Z = -depth
+  DepthBuffer depth_buffer;           // by which renderers tell what is nearest
+  bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
+  bool divides = true;                // false: w is 1 at every vertex, nothing is divided by it
+  bool tests_depth = true;            // false: no pixel centre is covered twice, what comes is not compared
+  bool keeps_vertices = true;         // a draw that is as it was in the frame drawn before keeps its vertices
+  bool keeps_blank_tiles = true;      // tiles that were and stay background are not written again
+  // Eye position of a pixel for point lights, from its centre (x, y) and its distance d along the axis:
+  // perspective: (x * ray[0] + ray[1]) * d, parallel: x * ray[0] + ray[1] + d * slant[0]; so on for y with ray[2],
+  // ray[3] and slant[1]. The slant is how far a parallel projector leads sideways per unit of distance: 0 unless
+  // oblique.
+  std::array<float, 4> ray{};
+  std::array<float, 2> slant{};
+  glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
+};
+
+}  // namespace morphcl

@@ -1,0 +1,42 @@
+// The reference's view of kernels/project_vertices.h: one vertex at a time.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "host/render/frame/frame_plan.hpp"
+#include "host/render/frame/raster_grid.hpp"
+
+namespace morphcl::reference {
+
+struct ClipPoint {
+  float x, y, z, w;
+};
+
+struct ScreenVertex {
+  int x, y;     // sub-pixels
+  float depth;  // z / w; for forward depth buffers the distance along the view axis
+  float inverse_w;
+};
+
+struct Vertex {
+  glm::vec3 position;  // morphed, object space
+  ClipPoint clip;
+  int outcode;  // 0: `screen` holds
+  ScreenVertex screen;
+  glm::vec3 normal;  // unit, eye space; of smooth draws
+  glm::vec4 color;   // of draws with vertex colours
+};
+
+std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, const RasterGrid& grid);
+
+// ((m3 + z m2) + y m1) + x m0, each step one fma.
+float row_times_point(const Row& row, const glm::vec3& p);
+float row_times_vector(const std::array<float, 3>& row, const glm::vec3& v);
+
+float near_distance(float z, float w, const FramePlan& plan);
+
+ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid);
+ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid, const FramePlan& plan);  // for its depth buffer
+
+}  // namespace morphcl::reference

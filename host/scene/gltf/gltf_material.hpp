@@ -1,0 +1,17 @@
+// The part of a glTF material that is drawn: base colour, opacity, sidedness and whether light matters.
+#pragma once
+
+#include "host/scene/gltf/gltf_document.hpp"
+#include "host/scene/gltf/gltf_warnings.hpp"
+
+namespace morphcl {
+
+struct GltfMaterial {
+  Material material;   // shading is smooth or unlit; white without a material, as the specification says
+  bool blend = false;  // false: alpha is 1 everywhere
+};
+
+// `index` is -1 for a primitive without a material.
+GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings& warnings);
+
+}  // namespace morphcl

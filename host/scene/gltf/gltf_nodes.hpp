@@ -1,0 +1,28 @@
+// The node hierarchy of a glTF file.
+#pragma once
+
+#include <vector>
+
+#include "host/scene/gltf/gltf_document.hpp"
+#include "host/scene/gltf/gltf_warnings.hpp"
+
+namespace morphcl {
+
+struct GltfNodes {
+  std::vector<Node> nodes;         // in the file's order
+  std::vector<bool> drawn;         // below a root of the chosen scene
+  std::vector<bool> has_matrix;    // instead of translation, rotation, scale
+  std::vector<int> parents_first;  // every node, after its parent
+};
+
+// Error(bad_input): a child out of range, a node with two parents, a cycle (its nodes are named), a node with both a
+// matrix and translation, rotation or scale, a rotation of length 0, a scene whose node is not a root.
+GltfNodes read_nodes(const GltfDocument& document, GltfWarnings& warnings);
+
+// node -> world of every node with nothing animated.
+std::vector<glm::dmat4> rest_to_world(const GltfNodes& nodes);
+
+// Whether a node or one above it has a translation, rotation or scale track.
+std::vector<bool> moving_nodes(const GltfNodes& nodes);
+
+}  // namespace morphcl

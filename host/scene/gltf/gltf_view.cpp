@@ -1,0 +1,128 @@
+#include "host/scene/gltf/gltf_view.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace morphcl {
+
+namespace {
+
+double positive(const GltfValue& json) {
+  const double value = json.number();
+  if (!(value > 0)) json.fail(fmt::format("is {}; it must be greater than 0", value));
+  return value;
+}
+
+Projection read_perspective(const GltfValue& json) {
+  Perspective lens;
+  const GltfValue yfov = json.get("yfov");
+  const double angle = positive(yfov);
+  if (!(angle < std::numbers::pi)) yfov.fail(fmt::format("is {}; it must be less than pi", angle));
+  lens.fovy_degrees = angle * (180.0 / std::numbers::pi);
+  lens.near = positive(json.get("znear"));
+  lens.far = std::numeric_limits<double>::infinity();
+  if (const auto far = json.find("zfar")) {
+    lens.far = positive(*far);
+    if (!(lens.far > lens.near))
+      far->fail(fmt::format("is {}; it must be greater than znear, {}", lens.far, lens.near));
+  }
+  return lens;
+}
+
+Projection read_orthographic(const GltfValue& json) {
+  const double x = positive(json.get("xmag")), y = positive(json.get("ymag"));
+  const double near = json.get("znear").number(), far = json.get("zfar").number();
+  if (!(near >= 0)) json.get("znear").fail(fmt::format("is {}; it must not be negative", near));
+  if (!(far > near)) json.get("zfar").fail(fmt::format("is {}; it must be greater than znear, {}", far, near));
+  return Orthographic{-x, x, -y, y, near, far};
+}
+
+Projection read_projection(const GltfValue& json) {
+  const GltfValue type = json.get("type");
+  if (type.text() == "perspective") return read_perspective(json.get("perspective"));
+  if (type.text() == "orthographic") return read_orthographic(json.get("orthographic"));
+  type.fail(fmt::format("is '{}'; perspective or orthographic are types", type.text()));
+}
+
+// The array of the extension's lights in the file's root.
+std::optional<GltfValue> light_array(const GltfDocument& document) {
+  const auto extensions = document.root().find("extensions");
+  const auto extension = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
+  return extension ? std::optional(extension->get("lights")) : std::nullopt;
+}
+
+std::optional<Light> read_light(const GltfValue& json, const glm::dmat4& to_world, GltfWarnings& warnings) {
+  const std::string& type = json.get("type").text();
+  if (type == "spot") {
+    warnings.not_drawn("spot lights");
+    return std::nullopt;
+  }
+  if (type != "directional" && type != "point")
+    json.get("type").fail(fmt::format("is '{}'; directional, point or spot are types", type));
+  Light light;
+  const double intensity = json.number("intensity", 1.0);
+  if (!(intensity >= 0)) json.get("intensity").fail(fmt::format("is {}; it must not be negative", intensity));
+  if (const auto color = json.find("color")) {
+    const std::vector<double> c = color->numbers(3);
+    light.color = {c[0], c[1], c[2]};
+  }
+  light.color *= intensity / std::numbers::pi;
+  if (type == "point") {
+    light.kind = LightKind::point;
+    light.falloff = true;
+    light.vector = glm::dvec3(to_world[3]);
+    if (json.find("range")) warnings.not_drawn("the range of point lights");
+    return light;
+  }
+  // It shines along its node's -z.
+  const glm::dvec3 towards_light(to_world[2]);
+  const double length = glm::length(towards_light);
+  if (!(length > 0) || !std::isfinite(length)) {
+    warnings.not_drawn("lights of nodes whose scale is 0");
+    return std::nullopt;
+  }
+  light.vector = towards_light / length;
+  return light;
+}
+
+}  // namespace
+
+std::optional<Camera> read_camera(const GltfDocument& document, const GltfNodes& nodes, GltfWarnings& warnings) {
+  std::optional<Camera> result;
+  for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+    const int index = document.element("nodes", i).index("camera", document.count("cameras"), "cameras");
+    if (index < 0 || !nodes.drawn[i]) continue;
+    if (result) {
+      warnings.say("several cameras: the first one is used");
+      continue;
+    }
+    result.emplace();
+    result->projection = read_projection(document.element("cameras", static_cast<std::size_t>(index)));
+    result->node = static_cast<int>(i);
+  }
+  return result;
+}
+
+std::vector<Light> read_lights(const GltfDocument& document, const GltfNodes& nodes, GltfWarnings& warnings) {
+  std::vector<Light> result;
+  const auto lights = light_array(document);
+  if (!lights) return result;
+  const std::vector<glm::dmat4> to_world = rest_to_world(nodes);
+  const std::vector<bool> moving = moving_nodes(nodes);
+  for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
+    const auto extensions = document.element("nodes", i).find("extensions");
+    const auto extension = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
+    if (!extension) continue;
+    const int index = extension->get("light").index(lights->size(), "lights");
+    if (!nodes.drawn[i]) continue;
+    if (moving[i]) warnings.say("lights stay where their nodes are at rest");
+    if (const auto light = read_light((*lights)[static_cast<std::size_t>(index)], to_world[i], warnings))
+      result.push_back(*light);
+  }
+  return result;
+}
+
+}  // namespace morphcl

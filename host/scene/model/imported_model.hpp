@@ -1,0 +1,34 @@
+// What an importer makes of a model file: meshes, the hierarchy and its animation, ready to be put into a Scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anim/timeline.hpp"
+#include "host/geometry/mesh.hpp"
+#include "host/scene/model/scene.hpp"
+
+namespace morphcl {
+
+// What a model file may ask for. Every limit is checked before the memory is taken.
+struct ImportLimits {
+  bool allow_outside = false;                                // may read files outside the model's folder
+  std::uint64_t max_vertices = std::uint64_t{1} << 27;       // of one mesh; also the corners and keys of one list
+  std::uint64_t max_decoded_bytes = std::uint64_t{4} << 30;  // everything read and made for one model
+};
+
+struct ImportedModel {
+  std::vector<Mesh> meshes;
+  std::vector<Object> objects;        // in the order they are drawn; may be empty
+  std::vector<Node> nodes;            // parents may come in any order
+  std::vector<MorphWeights> weights;  // one an object
+  std::optional<Camera> camera;       // sits in a node
+  std::vector<Light> lights;
+  double duration_seconds = 0;        // time of the last key; 0 when nothing moves
+  std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
+  std::string content_hash;           // ContentHash of every byte read, hex
+};
+
+}  // namespace morphcl

@@ -1,0 +1,188 @@
+#include "host/scene/obj/obj_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+#include "host/error.hpp"
+#include "host/scene/obj/obj_text.hpp"
+
+namespace morphcl {
+
+namespace {
+
+// Read without effect: texture coordinates, names, smoothing and display settings.
+constexpr std::array<std::string_view, 12> ignored = {
+    "vt", "g", "o", "s", "mg", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
+
+class ObjParser {
+ public:
+  ObjParser(std::string_view text, const std::string& path, const ImportLimits& limits, ImportBudget& budget)
+      : statements_(text), limits_(limits), budget_(budget) {
+    file_.path = path;
+  }
+
+  ObjFile parse() {
+    while (statements_.next()) read_statement();
+    check_indices();
+    if (file_.faces.empty())
+      throw Error(ErrorKind::bad_input, file_.path, "holds no faces; a Wavefront .obj file with 'f' lines is needed");
+    if (file_.colors.size() != file_.positions.size()) file_.colors.clear();
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t line, std::string_view what) const {
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", file_.path, line), what);
+  }
+  [[noreturn]] void fail(std::string_view what) const { fail(statements_.line(), what); }
+
+  void read_statement() {
+    const std::string_view keyword = statements_.keyword();
+    if (keyword == "v")
+      read_position();
+    else if (keyword == "vn")
+      read_normal();
+    else if (keyword == "f" || keyword == "fo")  // fo: the old name
+      read_face();
+    else if (keyword == "usemtl")
+      material_ = material_index(std::string(statements_.remainder()));
+    else if (keyword == "mtllib")
+      file_.material_libraries.emplace_back(statements_.remainder());
+    else if (keyword == "l")
+      not_drawn("lines");
+    else if (keyword == "p")
+      not_drawn("points");
+    else if (std::find(ignored.begin(), ignored.end(), keyword) == ignored.end())
+      not_drawn("statement " + printable(keyword.substr(0, 20)));
+  }
+
+  void not_drawn(const std::string& what) {
+    constexpr std::size_t told = 12;
+    auto& all = file_.not_drawn;
+    if (all.size() < told && std::find(all.begin(), all.end(), what) == all.end()) all.push_back(what);
+  }
+
+  float number(std::string_view word) const {
+    const std::optional<float> value = parse_float(word);
+    if (!value) fail(fmt::format("'{}' is not a number that is finite in 32-bit floating point", word.substr(0, 60)));
+    return *value;
+  }
+
+  // x y z, then nothing, a weight w, or a colour r g b (after w, if both are there).
+  void read_position() {
+    std::array<float, 7> values{};
+    std::size_t count = 0;
+    for (std::string_view word = statements_.word(); !word.empty(); word = statements_.word()) {
+      if (count == values.size()) fail("a vertex has at most 7 numbers");
+      values[count++] = number(word);
+    }
+    if (count < 3 || count == 5) fail(fmt::format("a vertex has 3, 4, 6 or 7 numbers, not {}", count));
+    if (file_.positions.size() >=
+        std::min<std::uint64_t>(limits_.max_vertices, std::numeric_limits<std::int32_t>::max()))
+      fail(fmt::format("more than {} vertices", limits_.max_vertices));
+    budget_.charge(1, sizeof(glm::vec3), file_.path);
+    file_.positions.emplace_back(values[0], values[1], values[2]);
+    if (count >= 6 && file_.colors.size() + 1 == file_.positions.size()) {
+      budget_.charge(1, sizeof(glm::vec3), file_.path);
+      file_.colors.emplace_back(values[count - 3], values[count - 2], values[count - 1]);
+    }
+  }
+
+  void read_normal() {
+    glm::vec3 normal;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = statements_.word();
+      if (word.empty()) fail("a normal has 3 numbers");
+      normal[axis] = number(word);
+    }
+    if (file_.normals.size() >= limits_.max_vertices) fail(fmt::format("more than {} normals", limits_.max_vertices));
+    budget_.charge(1, sizeof(glm::vec3), file_.path);
+    file_.normals.push_back(normal);
+  }
+
+  // An index from 1, or counted back from the last element read; those ahead of the face are checked at the end.
+  std::int32_t index(std::string_view word, std::size_t count, std::string_view what) const {
+    const std::optional<std::int64_t> value = parse_integer(word);
+    if (!value) fail(fmt::format("'{}' is not the index of a {}", word.substr(0, 60), what));
+    const std::int64_t from_zero = *value > 0 ? *value - 1 : static_cast<std::int64_t>(count) + *value;
+    if (*value == 0 || from_zero < 0 || from_zero >= std::numeric_limits<std::int32_t>::max())
+      fail(fmt::format("{} {} does not exist; indices start at 1, or at -1 for the last one read", what, *value));
+    return static_cast<std::int32_t>(from_zero);
+  }
+
+  // v, v/vt, v//vn or v/vt/vn
+  ObjCorner corner(std::string_view word) const {
+    const std::size_t first = word.find('/');
+    ObjCorner result;
+    result.position = static_cast<std::uint32_t>(index(word.substr(0, first), file_.positions.size(), "vertex"));
+    if (first == std::string_view::npos) return result;
+    const std::string_view rest = word.substr(first + 1);
+    const std::size_t second = rest.find('/');
+    const std::string_view texture = rest.substr(0, second);
+    if (!texture.empty() && !parse_integer(texture))
+      fail(fmt::format("'{}' is not a face corner: v, v/vt, v//vn or v/vt/vn", word.substr(0, 60)));
+    if (second != std::string_view::npos)
+      result.normal = index(rest.substr(second + 1), file_.normals.size(), "normal");
+    return result;
+  }
+
+  void read_face() {
+    ObjFace face;
+    face.first = static_cast<std::uint32_t>(file_.corners.size());
+    face.line = static_cast<std::uint32_t>(statements_.line());
+    face.material = material_;
+    for (std::string_view word = statements_.word(); !word.empty(); word = statements_.word()) {
+      if (file_.corners.size() >= std::numeric_limits<std::uint32_t>::max())
+        fail("more face corners than 32 bits count");
+      // A corner, its vertex key, its share of a triangle and its side.
+      budget_.charge(1, sizeof(ObjCorner) + 2 * sizeof(std::uint64_t) + sizeof(glm::uvec3) + 4 * sizeof(glm::uvec2),
+                     file_.path);
+      file_.corners.push_back(corner(word));
+    }
+    face.count = static_cast<std::uint32_t>(file_.corners.size()) - face.first;
+    if (face.count < 3) fail(fmt::format("a face has 3 corners or more, not {}", face.count));
+    budget_.charge(1, sizeof(ObjFace), file_.path);
+    file_.faces.push_back(face);
+  }
+
+  std::int32_t material_index(std::string name) {
+    const auto [found, is_new] = material_indices_.try_emplace(name, static_cast<std::int32_t>(file_.materials.size()));
+    if (is_new) {
+      budget_.charge(1, 2 * (sizeof(std::string) + name.size()), file_.path);
+      file_.materials.push_back(std::move(name));
+    }
+    return found->second;
+  }
+
+  void check_indices() const {
+    for (const ObjFace& face : file_.faces)
+      for (std::uint32_t c = face.first; c < face.first + face.count; ++c) {
+        const ObjCorner& corner = file_.corners[c];
+        if (corner.position >= file_.positions.size())
+          fail(face.line, fmt::format("vertex {} does not exist; the file has {}", corner.position + std::uint64_t{1},
+                                      file_.positions.size()));
+        if (corner.normal >= static_cast<std::int64_t>(file_.normals.size()))
+          fail(face.line, fmt::format("normal {} does not exist; the file has {}", corner.normal + std::int64_t{1},
+                                      file_.normals.size()));
+      }
+  }
+
+  ObjStatements statements_;
+  const ImportLimits& limits_;
+  ImportBudget& budget_;
+  ObjFile file_;
+  std::int32_t material_ = -1;
+  std::map<std::string, std::int32_t> material_indices_;
+};
+
+}  // namespace
+
+ObjFile parse_obj(std::string_view text, const std::string& path, const ImportLimits& limits, ImportBudget& budget) {
+  return ObjParser(text, path, limits, budget).parse();
+}
+
+}  // namespace morphcl

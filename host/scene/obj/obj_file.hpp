@@ -1,0 +1,44 @@
+// The contents of an .obj file as they stand: positions, normals and faces with their own numbering.
+//
+// Numbers are read with std::from_chars, not through tinyobjloader, whose numbers are not correctly rounded; it serves
+// as the cross-check in the tests.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/model/import_budget.hpp"
+#include "host/scene/model/imported_model.hpp"
+
+namespace morphcl {
+
+struct ObjCorner {
+  std::uint32_t position = 0;
+  std::int32_t normal = -1;  // -1: none
+};
+
+struct ObjFace {
+  std::uint32_t first = 0, count = 0;  // of ObjFile::corners
+  std::uint32_t line = 0;
+  std::int32_t material = -1;  // index into ObjFile::materials, -1 before the first usemtl
+};
+
+struct ObjFile {
+  std::string path;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> colors;  // of `v x y z r g b`: one a position, or empty
+  std::vector<glm::vec3> normals;
+  std::vector<ObjCorner> corners;
+  std::vector<ObjFace> faces;                   // at least one
+  std::vector<std::string> materials;           // names of usemtl, each once
+  std::vector<std::string> material_libraries;  // names of mtllib
+  std::vector<std::string> not_drawn;           // "lines", "statement surf"
+};
+
+// Error(bad_input) at "path:line"; see obj_import.hpp. `text` is the file's content.
+ObjFile parse_obj(std::string_view text, const std::string& path, const ImportLimits& limits, ImportBudget& budget);
+
+}  // namespace morphcl

@@ -1,0 +1,135 @@
+#include "host/scene/shot/mesh_library.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "host/scene/gltf/gltf_import.hpp"
+#include "host/scene/model/input_file.hpp"
+#include "host/scene/obj/obj_import.hpp"
+#include "host/scene/shot/nearest_name.hpp"
+
+namespace morphcl {
+
+namespace {
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+bool is_model_file(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".gltf" || extension == ".glb" || extension == ".obj";
+}
+
+int segment_count(const ShotValue& value) {
+  const std::int64_t count = value.integer();
+  if (count < 1 || count > max_solid_vertices) value.fail(fmt::format("segments holds {}; 1 or more is needed", count));
+  return static_cast<int>(count);
+}
+
+std::optional<Segments> read_segments(const ShotTable& object) {
+  const auto segments = object.find("segments");
+  if (!segments) return std::nullopt;
+  if (!segments->is_array() || segments->size() != 2) segments->fail("segments must be two integers: [u, v]");
+  return Segments{.u = segment_count((*segments)[0]), .v = segment_count((*segments)[1])};
+}
+
+// One text for all that decides which mesh an object gets; '\n' separates, as no file name in a shot may hold it.
+std::string request(const ShotTable& object) {
+  std::string text = object.need("mesh").text();
+  if (const auto segments = read_segments(object)) text += fmt::format("\nsegments {} {}", segments->u, segments->v);
+  if (const auto targets = object.find("targets"))
+    for (std::size_t i = 0; i < targets->size(); ++i) text += "\ntarget " + (*targets)[i].text();
+  return text;
+}
+
+}  // namespace
+
+MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices)
+    : shot_(std::move(shot)), time_(time), max_vertices_(max_vertices), vertices_left_(max_vertices) {
+  limits_.allow_outside = allow_outside;
+}
+
+const ImportedModel& MeshLibrary::model(const ShotTable& object) {
+  const std::string key = request(object);
+  if (const auto known = models_.find(key); known != models_.end()) return known->second;
+
+  const bool built_in = find_solid(object.need("mesh").text()) != nullptr;
+  ImportedModel model = built_in ? make_built_in(object) : import_file(object);
+  const int first_mesh = static_cast<int>(meshes_.size());
+  for (Object& part : model.objects) part.mesh += first_mesh;
+  for (Mesh& mesh : model.meshes) meshes_.push_back(std::move(mesh));
+  model.meshes.clear();
+  warnings_.insert(warnings_.end(), model.warnings.begin(), model.warnings.end());
+  if (model.camera || !model.lights.empty())
+    warnings_.push_back(fmt::format("{}: its camera and lights are not used in a shot", object.need("mesh").text()));
+  if (!model.content_hash.empty()) hashes_.push_back(model.content_hash);
+  return models_.emplace(key, std::move(model)).first->second;
+}
+
+void MeshLibrary::add_to(ContentHash& hash) const {
+  for (const std::string& piece : hashes_) hash.add(piece);
+}
+
+ImportedModel MeshLibrary::make_built_in(const ShotTable& object) {
+  if (const auto targets = object.find("targets"))
+    targets->fail("targets belong to an .obj file, not to a built-in solid");
+  const ShotValue name = object.need("mesh");
+  const auto segments = read_segments(object);
+  const ShotValue place = segments ? object.need("segments") : name;
+  vertices_left_ -= placed_at(place, [&] { return solid_vertices(name.text(), segments); });
+  if (vertices_left_ < 0)
+    place.fail(fmt::format("the built-in solids have more than {} vertices together", max_vertices_));
+  ImportedModel model;
+  model.meshes.push_back(make_solid(name.text(), segments));
+  Object part;
+  part.name = name.text();
+  model.objects.push_back(part);
+  model.nodes.emplace_back();
+  model.weights.emplace_back();
+  model.weights.back().weights.assign(model.meshes.back().targets.size(), 0.0);
+  return model;
+}
+
+ImportedModel MeshLibrary::import_file(const ShotTable& object) {
+  const ShotValue name = object.need("mesh");
+  if (!is_model_file(name.text())) {
+    std::vector<std::string_view> known;
+    for (const SolidInfo& solid : solids()) known.push_back(solid.name);
+    name.fail(fmt::format("mesh \"{}\" is neither a built-in solid nor a .gltf, .glb or .obj file{}", name.text(),
+                          suggestion(name.text(), known)));
+  }
+  if (const auto segments = object.find("segments"))
+    segments->fail("segments belong to a built-in solid, not to a file");
+  const std::string path = existing_file(name);
+  const auto targets = object.find("targets");
+  const bool obj = extension_of(path) == ".obj";
+  if (targets && !obj) targets->fail("targets belong to an .obj file; a glTF file has its own");
+  if (!obj) return import_gltf(path, time_, limits_);
+  if (!targets) return import_obj(path, limits_);
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < targets->size(); ++i) {
+    const ShotValue target = (*targets)[i];
+    if (extension_of(target.text()) != ".obj")
+      target.fail(fmt::format("target \"{}\" is not an .obj file", target.text()));
+    paths.push_back(existing_file(target));
+  }
+  return import_obj_targets(path, paths, limits_);
+}
+
+std::string MeshLibrary::existing_file(const ShotValue& reference) const {
+  const std::string path = confined_path(shot_, reference.text(), limits_.allow_outside, reference.place());
+  std::error_code problem;
+  if (!std::filesystem::exists(path, problem)) reference.fail(fmt::format("there is no file \"{}\"", reference.text()));
+  return path;
+}
+
+}  // namespace morphcl

@@ -1,0 +1,49 @@
+// The meshes of a shot: built in or from files, each made once however many objects use it.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "anim/time_base.hpp"
+#include "host/geometry/solids.hpp"
+#include "host/scene/model/content_hash.hpp"
+#include "host/scene/model/imported_model.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+class MeshLibrary {
+ public:
+  // `shot` is the path of the shot file; files are seen from its folder and, unless `allow_outside`, must lie below it.
+  // The built-in solids may have `max_vertices` together.
+  MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices = max_solid_vertices);
+
+  // The model that the keys mesh, segments and targets of an object's table ask for. A built-in solid is a model of one
+  // mesh, one object and one node. In the model's objects, `mesh` is an index into the meshes that take_meshes returns;
+  // its own list of meshes is empty. The reference holds as long as the library does.
+  const ImportedModel& model(const ShotTable& object);
+
+  const Mesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
+  std::vector<Mesh> take_meshes() { return std::move(meshes_); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  // Adds the content of every file that was read, in the order of reading.
+  void add_to(ContentHash& hash) const;
+
+ private:
+  ImportedModel make_built_in(const ShotTable& object);
+  ImportedModel import_file(const ShotTable& object);
+  std::string existing_file(const ShotValue& reference) const;
+
+  std::string shot_;
+  TimeBase time_;
+  ImportLimits limits_;
+  long long max_vertices_, vertices_left_;
+  std::map<std::string, ImportedModel> models_;  // by what was asked for
+  std::vector<Mesh> meshes_;
+  std::vector<std::string> warnings_, hashes_;
+};
+
+}  // namespace morphcl

@@ -1,0 +1,16 @@
+// The [camera] table of a shot file.
+#pragma once
+
+#include "anim/timeline.hpp"
+#include "host/scene/shot/shot_track.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+struct ShotCamera {
+  Camera camera;
+  bool marks_vanishing_points = false;  // host/scene/shot/vanishing_marks.hpp
+};
+ShotCamera read_camera(const ShotValue& camera, TrackReader& tracks);
+
+}  // namespace morphcl

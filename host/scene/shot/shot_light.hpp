@@ -1,0 +1,12 @@
+// The [[light]] tables of a shot file.
+#pragma once
+
+#include "anim/timeline.hpp"
+#include "host/scene/shot/shot_track.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+Light read_light(const ShotValue& light, TrackReader& tracks);
+
+}  // namespace morphcl

@@ -1,0 +1,151 @@
+#include "host/scene/shot/shot_object.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/scene/shot/nearest_name.hpp"
+#include "host/scene/shot/shot_elastic.hpp"
+#include "host/scene/shot/shot_transform.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::string_view morph_prefix = "morph.";
+
+Shading read_shading(const ShotValue& shading) {
+  const std::string& name = shading.text();
+  if (name == "flat") return Shading::flat;
+  if (name == "smooth") return Shading::smooth;
+  if (name == "unlit") return Shading::unlit;
+  if (name == "wireframe") return Shading::wireframe;
+  if (name == "hidden_line")
+    shading.fail("shading \"hidden_line\": not drawn by this version: flat, smooth, unlit and wireframe are");
+  shading.fail(
+      fmt::format("unknown shading \"{}\"{}", name, suggestion(name, {"flat", "smooth", "unlit", "wireframe"})));
+}
+
+glm::dvec4 read_base_color(const ShotValue& color) {
+  if (!color.is_array() || (color.size() != 3 && color.size() != 4))
+    color.fail("color must be three or four numbers: [red, green, blue] or [red, green, blue, alpha]");
+  glm::dvec4 value(0, 0, 0, 1);
+  for (std::size_t c = 0; c < color.size(); ++c) {
+    const double component = color[c].number();
+    if (component < 0 || (c == 3 && component > 1))
+      color[c].fail(fmt::format("color holds {}; {} is needed", component, c == 3 ? "0 to 1" : "0 or more"));
+    value[static_cast<int>(c)] = component;
+  }
+  return value;
+}
+
+void read_material(const ShotTable& table, Material& material) {
+  if (const auto shading = table.find("shading")) material.shading = read_shading(*shading);
+  if (const auto color = table.find("color")) material.base_color = read_base_color(*color);
+  if (const auto double_sided = table.find("double_sided")) material.double_sided = double_sided->boolean();
+}
+
+// The track of a node that `name` calls, or null, and what its keys look like.
+std::pair<Track*, KeyValue> node_track(Node& node, std::string_view name) {
+  if (name == "translation") return {&node.translation_track, KeyValue::vector};
+  if (name == "rotation") return {&node.rotation_track, KeyValue::rotation};
+  if (name == "scale") return {&node.scale_track, KeyValue::vector};
+  if (name == "visible") return {&node.visible_track, KeyValue::flag};
+  return {nullptr, KeyValue::number};
+}
+
+}  // namespace
+
+std::string ObjectReader::read_name(const ShotTable& table) {
+  const auto name = table.find("name");
+  if (!name) return table.need("mesh").text();
+  if (name->text().empty()) name->fail("name is empty");
+  if (!names_.insert(name->text()).second) name->fail(fmt::format("the name \"{}\" is used twice", name->text()));
+  return name->text();
+}
+
+void ObjectReader::read(const ShotValue& object) {
+  const ShotTable table = object.table(
+      {"name", "mesh", "targets", "segments", "shading", "color", "double_sided", "transform", "elastic", "track"});
+  const std::string name = read_name(table);
+  const ImportedModel& model = library_.model(table);
+
+  const int root = static_cast<int>(scene_.timeline.nodes.size());
+  Node node;
+  node.name = name;
+  CompositeTransform transform;
+  table.for_each("transform", [&](const ShotValue& step) { read_transform_step(step, transform); });
+  node.static_transform = transform.matrix();
+  scene_.timeline.nodes.push_back(std::move(node));
+
+  const std::size_t first_object = scene_.objects.size();
+  add_model(table, model, root, name);
+  std::unordered_set<std::string> driven;
+  table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
+  if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);
+}
+
+void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {
+  const int first_node = root + 1;
+  for (Node node : model.nodes) {
+    node.parent = node.parent < 0 ? root : node.parent + first_node;
+    scene_.timeline.nodes.push_back(std::move(node));
+  }
+  for (Object part : model.objects) {
+    part.name = model.objects.size() == 1 ? name : fmt::format("{}/{}", name, part.name);
+    part.node += first_node;
+    read_material(table, part.material);
+    scene_.objects.push_back(std::move(part));
+  }
+  scene_.timeline.weights.insert(scene_.timeline.weights.end(), model.weights.begin(), model.weights.end());
+}
+
+void ObjectReader::read_track(const ShotValue& value, int root, std::size_t first_object,
+                              std::unordered_set<std::string>& driven) {
+  const ShotTable table = TrackReader::table(value);
+  const ShotValue target = TrackReader::target(table);
+  const std::string& name = target.text();
+  if (!driven.insert(name).second) target.fail(fmt::format("{} is driven twice", name));
+  if (std::string_view(name).substr(0, morph_prefix.size()) == morph_prefix) {
+    drive_morph(table, name.substr(morph_prefix.size()), first_object);
+    return;
+  }
+  const auto [track, kind] = node_track(scene_.timeline.nodes[static_cast<std::size_t>(root)], name);
+  if (!track)
+    target.fail(fmt::format("an object has no value \"{}\" to move{}", name,
+                            suggestion(name, {"morph.NAME", "translation", "rotation", "scale", "visible"})));
+  *track = tracks_.read(table, kind);
+}
+
+void ObjectReader::make_elastic(const ShotValue& value, std::size_t first_object) {
+  const Elastic elastic = read_elastic(value);
+  bool moves = false;
+  for (std::size_t i = first_object; i < scene_.objects.size(); ++i)
+    for (const MorphTarget& target : library_.mesh(scene_.objects[i].mesh).targets)
+      if (!target.positions.empty()) moves = true, scene_.timeline.weights[i].elastic = elastic;
+  if (!moves) value.fail("an elastic object follows its morph; the mesh has no morph targets that move vertices");
+}
+
+void ObjectReader::drive_morph(const ShotTable& table, const std::string& name, std::size_t first_object) {
+  const ShotValue target = TrackReader::target(table);
+  const Track track = tracks_.read(table, KeyValue::number);
+  bool found = false;
+  std::vector<std::string_view> known;
+  for (std::size_t i = first_object; i < scene_.objects.size(); ++i) {
+    const std::vector<MorphTarget>& targets = library_.mesh(scene_.objects[i].mesh).targets;
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      known.push_back(targets[t].name);
+      if (targets[t].name != name) continue;
+      scene_.timeline.weights[i].tracks.push_back({static_cast<int>(t), track});
+      found = true;
+    }
+  }
+  if (!found)
+    target.fail(known.empty() ? fmt::format("morph.{}: the mesh has no morph targets", name)
+                              : fmt::format("the mesh has no morph target \"{}\"{}", name, suggestion(name, known)));
+}
+
+}  // namespace morphcl

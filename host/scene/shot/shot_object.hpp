@@ -1,0 +1,38 @@
+// The [[object]] tables of a shot file.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <unordered_set>
+
+#include "host/scene/model/scene.hpp"
+#include "host/scene/shot/mesh_library.hpp"
+#include "host/scene/shot/shot_track.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+// Adds objects of a shot to a scene: nodes, objects and weights. Meshes stay in the library until all objects are read.
+class ObjectReader {
+ public:
+  ObjectReader(MeshLibrary& library, TrackReader& tracks, Scene& scene)
+      : library_(library), tracks_(tracks), scene_(scene) {}
+
+  // A node of its own carries the table's transform steps and tracks; the model's node tree hangs below it. The table's
+  // shading, color and double_sided replace the model's where given.
+  void read(const ShotValue& object);
+
+ private:
+  std::string read_name(const ShotTable& table);
+  void add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name);
+  void read_track(const ShotValue& track, int root, std::size_t first_object, std::unordered_set<std::string>& driven);
+  void make_elastic(const ShotValue& elastic, std::size_t first_object);
+  void drive_morph(const ShotTable& track, const std::string& target, std::size_t first_object);
+
+  MeshLibrary& library_;
+  TrackReader& tracks_;
+  Scene& scene_;
+  std::unordered_set<std::string> names_;
+};
+
+}  // namespace morphcl

@@ -1,0 +1,28 @@
+// How a [camera] table projects: its projection, fields of view, window and distances.
+#pragma once
+
+#include "anim/timeline.hpp"
+#include "host/math/axonometric.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+enum class ProjectionForm { perspective, frustum, central, orthographic, oblique, axonometric };
+
+// A value of the key `projection`.
+struct ProjectionKind {
+  std::string_view name;
+  ProjectionForm form;
+};
+
+// The kind that the table names, "perspective" when it names none. Fails for a key that this kind has no use for.
+ProjectionKind read_projection_kind(const ShotTable& camera);
+
+// `target_distance`: from the eye to the target. The picture's plane of a central or oblique projection leads through
+// the target.
+Projection read_projection(const ShotTable& camera, const ProjectionKind& kind, double target_distance);
+
+// Where an axonometric projection is seen from.
+ViewDirection read_axonometric_direction(const ShotTable& camera, const ProjectionKind& kind);
+
+}  // namespace morphcl

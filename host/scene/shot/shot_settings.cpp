@@ -1,0 +1,123 @@
+#include "host/scene/shot/shot_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "host/scene/shot/nearest_name.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::array<std::string_view, 11> compressions = {"none",  "rle", "zips", "zip",  "zip:small", "piz",
+                                                           "pxr24", "b44", "b44a", "dwaa", "dwab"};
+constexpr std::array<std::string_view, 2> drawn_channels = {"RGBA", "Z"};
+constexpr std::array<std::string_view, 5> later_channels = {"N", "P", "velocity", "object_id", "coverage"};
+constexpr std::array<std::int64_t, 3> later_samples = {4, 8, 16};
+constexpr std::int64_t max_fps_part = 1'000'000;
+
+template <typename Names, typename Name>
+bool holds(const Names& names, const Name& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+int pixels(const ShotValue& value) {
+  const std::int64_t size = value.integer();
+  if (size < 1 || size > max_image_size)
+    value.fail(fmt::format("size is {} pixels; 1 to {} are possible", size, max_image_size));
+  return static_cast<int>(size);
+}
+
+void read_channels(const ShotValue& channels, ImageSettings& image) {
+  image.color = image.depth = false;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const ShotValue channel = channels[i];
+    const std::string& name = channel.text();
+    if (holds(later_channels, name))
+      channel.fail(fmt::format("channel \"{}\": not drawn by this version: RGBA and Z are", name));
+    if (!holds(drawn_channels, name))
+      channel.fail(fmt::format("unknown channel \"{}\"{}", name, suggestion(name, {"RGBA", "Z"})));
+    bool& wanted = name == "Z" ? image.depth : image.color;
+    if (wanted) channel.fail(fmt::format("channel \"{}\" is named twice", name));
+    wanted = true;
+  }
+  if (channels.size() == 0) channels.fail("channels is empty; name RGBA, Z or both");
+}
+
+void read_samples(const ShotValue& samples) {
+  const std::int64_t count = samples.integer();
+  if (holds(later_samples, count)) samples.fail(fmt::format("samples = {}: not drawn by this version: 1 is", count));
+  if (count != 1) samples.fail(fmt::format("samples is {}; 1 is possible", count));
+}
+
+std::string read_compression(const ShotValue& compression) {
+  const std::string& name = compression.text();
+  if (!holds(compressions, name))
+    compression.fail(fmt::format("unknown compression \"{}\"{}", name,
+                                 suggestion(name, {compressions.begin(), compressions.end()})));
+  return name;
+}
+
+DepthFormat read_depth_format(const ShotValue& value) {
+  const std::string& name = value.text();
+  if (const auto format = depth_format_named(name)) return *format;
+  std::vector<std::string_view> names;
+  for (const DepthFormat format : depth_formats) names.push_back(name_of(format));
+  value.fail(fmt::format("unknown depth_buffer \"{}\"{}", name, suggestion(name, names)));
+}
+
+std::int64_t fps_part(const ShotValue& value) {
+  const std::int64_t part = value.integer();
+  if (part < 1 || part > max_fps_part) value.fail(fmt::format("fps holds {}; 1 to {} is possible", part, max_fps_part));
+  return part;
+}
+
+TimeBase read_fps(const ShotValue& fps) {
+  if (!fps.is_array()) return {.fps_numerator = fps_part(fps), .fps_denominator = 1};
+  if (fps.size() != 2) fps.fail("fps must be an integer or [numerator, denominator]");
+  return {.fps_numerator = fps_part(fps[0]), .fps_denominator = fps_part(fps[1])};
+}
+
+}  // namespace
+
+ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
+  ImageSettings settings;
+  if (!image) return settings;
+  const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer"});
+  if (const auto size = table.find("size")) {
+    if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
+    settings.width = pixels((*size)[0]);
+    settings.height = pixels((*size)[1]);
+  }
+  if (const auto channels = table.find("channels")) read_channels(*channels, settings);
+  if (const auto samples = table.find("samples")) read_samples(*samples);
+  if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
+  if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
+  return settings;
+}
+
+double read_accuracy(const std::optional<ShotValue>& accuracy) {
+  if (!accuracy) return 0;
+  const auto pixels = accuracy->table({"pixels"}).find("pixels");
+  if (!pixels) accuracy->fail("accuracy needs pixels: how far a vertex may be from its exact place");
+  return pixels->positive();
+}
+
+FrameSettings read_frame_settings(const std::optional<ShotValue>& frames) {
+  FrameSettings settings;
+  if (!frames) return settings;
+  const ShotTable table = frames->table({"range", "fps"});
+  if (const auto fps = table.find("fps")) settings.time = read_fps(*fps);
+  if (const auto range = table.find("range"))
+    settings.ranges = placed_at(*range, [&] {
+      auto ranges = parse_frame_range(range->text());
+      frame_numbers(ranges);
+      return ranges;
+    });
+  return settings;
+}
+
+}  // namespace morphcl

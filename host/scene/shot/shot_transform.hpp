@@ -1,0 +1,12 @@
+// The [[object.transform]] tables of a shot file.
+#pragma once
+
+#include "host/math/composite_transform.hpp"
+#include "host/scene/shot/shot_value.hpp"
+
+namespace morphcl {
+
+// Appends the step that `step`, a table with exactly one key, names.
+void read_transform_step(const ShotValue& step, CompositeTransform& transform);
+
+}  // namespace morphcl

@@ -1,0 +1,161 @@
+#include "lab/accuracy/write_plot.hpp"
+
+#include <fmt/core.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+#include <vector>
+
+#include "lab/accuracy/verdict.hpp"
+
+namespace morphcl::accuracy {
+
+namespace {
+
+// A panel is this large, with its key; families stand beside each other.
+constexpr int panel_width = 560, panel_height = 310, heading = 40;
+
+const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57", "#b8860b", "#6a4c93", "#4d4d4d", "#e07b39",
+                              "#008b8b", "#9e2a2b", "#7a9e1f", "#c2185b", "#5c6bc0", "#795548", "#00838f"};
+constexpr std::size_t color_count = std::size(colors);
+
+// gnuplot's outlined shapes; each is followed by the filled one. The device's times are crosses.
+constexpr int shapes[] = {6, 4, 8, 10, 12, 14}, cross = 1;
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+struct Panel {
+  const OperationReport* operation;
+  const Family* family;
+  std::vector<const Result*> results;  // with a finite error
+  double floor = 1, ceiling = 1;       // of the error axis; errors of 0 are drawn on the floor
+
+  double height_of(double error) const { return std::max(error, floor); }
+};
+
+Panel make_panel(const OperationReport& operation, const Family& family) {
+  const Measure measure = operation.about.plotted;
+  Panel panel{&operation, &family, {}};
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  const auto include = [&](double error) {
+    if (error > 0) smallest = std::min(smallest, error), largest = std::max(largest, error);
+  };
+  for (const Result& result : operation.results) {
+    const double error = result.figures[measure];
+    if (result.family != family.name || !(error - error == 0)) continue;
+    // What exploded says nothing by how much, and would take the whole axis.
+    if (result.figures[Measure::not_finite] > 0 || error > 1e12) continue;
+    panel.results.push_back(&result);
+    include(error);
+  }
+  include(operation.about.target);
+  if (!(largest > 0)) smallest = largest = 1;
+  // Whole decades, one of them below the smallest error for those that are 0.
+  panel.floor = std::pow(10.0, std::floor(std::log10(smallest)) - 1);
+  panel.ceiling = std::pow(10.0, std::ceil(std::log10(largest) + 0.2));
+  return panel;
+}
+
+void add_marks(std::string& data, std::string& plots, const Panel& panel, std::size_t index) {
+  const Measure measure = panel.operation->about.plotted;
+  for (std::size_t v = 0; v < panel.results.size(); ++v) {
+    const Result& result = *panel.results[v];
+    const char* color = colors[v % color_count];
+    const double error = panel.height_of(result.figures[measure]);
+    data += fmt::format("$m{}_{} << EOD\n", index, v);
+    if (result.nanoseconds("host") > 0) data += fmt::format("{:.6g} {:.6g}\n", result.nanoseconds("host"), error);
+    data += fmt::format("EOD\n$d{}_{} << EOD\n", index, v);
+    const bool device = result.place == "device";
+    const double device_time =
+        device && !result.timings.empty() ? result.timings.front().minimum_ns : result.nanoseconds("device");
+    if (device_time > 0) data += fmt::format("{:.6g} {:.6g}\n", device_time, error);
+    data += "EOD\n";
+    plots += fmt::format(", {} with points pt {} ps {} lc rgb '{}' title {}",
+                         device ? fmt::format("$d{}_{}", index, v) : fmt::format("$m{}_{}", index, v),
+                         device ? cross : shapes[v % std::size(shapes)] + (result.ships ? 1 : 0),
+                         result.ships ? 1.1 : 0.9, color, quoted(result.variant + (device ? " (device)" : "")));
+    if (!device && result.nanoseconds("device") > 0)
+      plots += fmt::format(", $d{}_{} with points pt {} ps 0.9 lc rgb '{}' notitle", index, v, cross, color);
+  }
+}
+
+std::string panel_program(const Panel& panel, std::size_t index) {
+  const Description& about = panel.operation->about;
+  const Measure measure = about.plotted;
+  std::string data = fmt::format("$front{} << EOD\n", index), plots;
+  for (const Result* result : pareto_front(*panel.operation, panel.family->name))
+    data +=
+        fmt::format("{:.6g} {:.6g}\n", result->timings.front().minimum_ns, panel.height_of(result->figures[measure]));
+  data += "EOD\n";
+  plots = fmt::format("plot {:.6g} with lines dt 2 lw 1.5 lc rgb '#c00000' title {}", panel.height_of(about.target),
+                      quoted("target " + printed(about.target)));
+  plots += fmt::format(", $front{} with steps lw 1.2 lc rgb '#999999' title 'front'", index);
+  add_marks(data, plots, panel, index);
+  std::string program = data;
+  program += fmt::format("set title {} noenhanced\n", quoted(about.name + ", " + panel.family->name));
+  program += fmt::format("set ylabel {} noenhanced\n", quoted(text_of(measure).axis));
+  program += fmt::format("set yrange [{:g}:{:g}]\n", panel.floor * 0.7, panel.ceiling);
+  program += fmt::format("set ytics autofreq\nset ytics add ('0' {:g})\n", panel.floor);
+  return program + plots + "\n";
+}
+
+}  // namespace
+
+std::string plot_program(const Report& report, const std::string& path) {
+  std::size_t columns = 1, rows = report.operations.size();
+  for (const OperationReport& operation : report.operations) columns = std::max(columns, operation.families.size());
+  const int width = panel_width * static_cast<int>(columns);
+  const int height = panel_height * static_cast<int>(rows) + heading;
+  std::string program =
+      fmt::format("set terminal svg size {},{} enhanced font 'sans-serif,11' background '#ffffff'\nset output {}\n",
+                  width, height, quoted(path));
+  program +=
+      "set logscale xy\nset format x '10^{%T}'\nset format y '10^{%T}'\nset border 3\nset tics nomirror\n"
+      "set grid lw 0.5 lc rgb '#dddddd'\nset xlabel 'ns an element'\nset offsets graph 0.15, graph 0.15, 0, 0\n"
+      "set key outside right center vertical maxcols 1 noenhanced samplen 1.5 spacing 0.75 Left reverse font ',8'\nset "
+      "lmargin 11\nset rmargin 32\n";
+  program += fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns,
+                         quoted("Error against time. Filled: what morphcl computes; crosses: "
+                                "device, kernel alone; others: host, one thread; 0 is drawn on the lower edge."));
+  std::size_t index = 0;
+  for (const OperationReport& operation : report.operations)
+    for (std::size_t column = 0; column < columns; ++column) {
+      if (column < operation.families.size())
+        program += panel_program(make_panel(operation, operation.families[column]), index++);
+      else
+        program += "set multiplot next\n";
+    }
+  return program + "unset multiplot\n";
+}
+
+std::string draw_plots(const Report& report, const std::string& path) {
+  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
+  if (gnuplot == nullptr) return "no plots: gnuplot cannot be started";
+  const std::string unfinished = path + ".unfinished", program = plot_program(report, unfinished);
+  // One that is missing, or ends early, closes the pipe: that is told by its status, not by a signal that ends us.
+  const auto on_closed_pipe = std::signal(SIGPIPE, SIG_IGN);
+  std::fwrite(program.data(), 1, program.size(), gnuplot);
+  const int status = pclose(gnuplot);
+  std::signal(SIGPIPE, on_closed_pipe);
+  std::error_code error;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    std::filesystem::rename(unfinished, path, error);
+    return error ? "no plots: gnuplot has written none" : "";
+  }
+  std::filesystem::remove(unfinished, error);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    return "no plots: gnuplot is not installed (apt-get install gnuplot-nox)";
+  return "no plots: gnuplot failed";
+}
+
+}  // namespace morphcl::accuracy

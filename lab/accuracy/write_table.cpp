@@ -1,0 +1,129 @@
+#include "lab/accuracy/write_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "lab/accuracy/verdict.hpp"
+
+namespace morphcl::accuracy {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Columns that no row fills are left out; the first is flush left, the others flush right.
+std::string aligned(std::vector<Row> rows) {
+  std::vector<std::size_t> widths(rows[0].size());
+  std::vector<bool> filled(rows[0].size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      widths[c] = std::max(widths[c], rows[r][c].size());
+      filled[c] = filled[c] || (r > 0 && !rows[r][c].empty());
+    }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line = "  ";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (!filled[c]) continue;
+      line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+constexpr Measure columns[] = {Measure::max_ulp,     Measure::rms_ulp,    Measure::max_scaled, Measure::max_absolute,
+                               Measure::max_true,    Measure::max_pixels, Measure::wrong,      Measure::holes,
+                               Measure::double_hits, Measure::ties,       Measure::inversions, Measure::not_finite};
+
+std::string short_figure(double value) { return value == value ? fmt::format("{:.2g}", value) : ""; }
+
+// Some columns say nothing new in a family: all 0.
+bool always_zero(const OperationReport& report, Measure measure) {
+  return std::all_of(report.results.begin(), report.results.end(),
+                     [&](const Result& result) { return !(result.figures[measure] > 0); });
+}
+
+Row heading(const OperationReport& report) {
+  Row row = {"variant"};
+  for (const Measure measure : columns)
+    row.push_back(always_zero(report, measure) && measure != report.about.plotted ? "" : text_of(measure).title);
+  row.push_back("ns");
+  return row;
+}
+
+Row cells(const OperationReport& report, const Result& result) {
+  std::string name = (result.ships ? "* " : "  ") + result.variant;
+  if (result.place == "device") name += " (device)";
+  Row row = {name};
+  for (const Measure measure : columns)
+    row.push_back(
+        always_zero(report, measure) && measure != report.about.plotted ? "" : short_figure(result.figures[measure]));
+  row.push_back(result.timings.empty() ? "" : fmt::format("{:.3g}", result.timings.front().minimum_ns));
+  return row;
+}
+
+std::string batch_of(const Timing& timing) {
+  const std::size_t n = timing.elements;
+  const std::string size = n >= 1 << 20   ? fmt::format("{}M", n >> 20)
+                           : n >= 1 << 10 ? fmt::format("{}k", n >> 10)
+                                          : fmt::format("{}", n);
+  return size + " " + (timing.where == "host" ? timing.level : timing.where == "device" ? "device" : "+copy");
+}
+
+// The first digits of the results' hash, whether the device has the same, and the median times for every batch that was
+// timed.
+std::string batches_of(const OperationReport& report, const std::string& family) {
+  Row batches = {"variant", "hash", "device"};
+  for (const Result& result : report.results)
+    for (const Timing& timing : result.timings)
+      if (result.family == family && std::find(batches.begin(), batches.end(), batch_of(timing)) == batches.end())
+        batches.push_back(batch_of(timing));
+  std::vector<Row> rows = {batches};
+  for (const Result& result : report.results) {
+    if (result.family != family) continue;
+    Row row = {"  " + result.variant, fmt::format("{:016x}", result.hash).substr(0, 8), result.device_bits};
+    row.resize(batches.size());
+    for (const Timing& timing : result.timings) {
+      const auto column = std::find(batches.begin(), batches.end(), batch_of(timing)) - batches.begin();
+      row[static_cast<std::size_t>(column)] = fmt::format("{:.3g}", timing.median_ns);
+    }
+    rows.push_back(std::move(row));
+  }
+  return aligned(std::move(rows));
+}
+
+}  // namespace
+
+std::string machine_text(const Report& report) {
+  const Machine& m = report.machine;
+  std::string text = fmt::format("host: {}, {}, {}, 1 thread\n", m.processor, m.compiler, m.host_flags);
+  if (m.device.empty())
+    text += "device: none\n";
+  else
+    text += fmt::format("device: {} ({}), self-test {}, {} threads, {}\n", m.device, m.driver, m.verdict, m.threads,
+                        m.device_flags);
+  return text + fmt::format(
+                    "seed {}; * is what morphcl itself computes; ns is the smallest of 30 runs or more an "
+                    "element\n",
+                    report.settings.seed);
+}
+
+std::string table_of(const OperationReport& report) {
+  const Description& about = report.about;
+  std::string text = fmt::format("{}: {}\n  target: {} {} ({})\n", about.name, about.title,
+                                 text_of(about.plotted).title, printed(about.target), about.reason);
+  for (const Family& family : report.families) {
+    text += fmt::format("\n  {}: {}\n", family.name, family.text);
+    std::vector<Row> rows = {heading(report)};
+    for (const Result& result : report.results)
+      if (result.family == family.name) rows.push_back(cells(report, result));
+    text += aligned(std::move(rows)) + "  -> " + verdict(report, family.name) + "\n";
+    text += "  batches (elements), median ns an element:\n" + batches_of(report, family.name);
+  }
+  return text;
+}
+
+}  // namespace morphcl::accuracy

@@ -1,0 +1,66 @@
+// Where a clip-space corner lands on the screen, in sub-pixels (256 a pixel, y downwards, centres at 128): snapped to
+// the grid that the renderers use, or left where it truly is. A render on the grid shows what rounding alone changes, a
+// render of the true geometry what the grid costs as well.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "lab/frame_error/precise_clip.hpp"
+
+namespace morphcl::accuracy {
+
+template <class Coordinate>
+struct ScreenPoint {
+  Coordinate x, y;
+};
+
+// Snapped to nearest, ties to even: |coordinates| stay below 2^24, so edge functions are exact in 64 bits.
+template <class RealType>
+struct OnGrid {
+  using Real = RealType;
+  using Coordinate = std::int64_t;
+  static Coordinate place(const Real& v) {
+    using std::floor;
+    const Real low = floor(v), part = v - low;
+    const auto whole = static_cast<std::int64_t>(low);
+    if (part < Real(0.5)) return whole;
+    if (part > Real(0.5)) return whole + 1;
+    return whole % 2 == 0 ? whole : whole + 1;
+  }
+};
+
+template <class RealType>
+struct TrueGeometry {
+  using Real = RealType;
+  using Coordinate = Real;
+  static Coordinate place(const Real& v) { return v; }
+};
+
+template <class Geometry>
+ScreenPoint<typename Geometry::Coordinate> to_screen(const Corner<typename Geometry::Real>& c, int width, int height) {
+  using Real = typename Geometry::Real;
+  const Real half_width = Real(128) * width, half_height = Real(128) * height;
+  return {Geometry::place(c.x / c.w * half_width + half_width), Geometry::place(half_height - c.y / c.w * half_height)};
+}
+
+inline int pixel_centre(int pixel) { return pixel * 256 + 128; }
+
+// Twice the area of from, to, p; the negated bits when `from` and `to` change places, so that of two triangles at an
+// edge exactly one has a point, however it is rounded.
+template <class Coordinate>
+Coordinate edge_function(const ScreenPoint<Coordinate>& from, const ScreenPoint<Coordinate>& to,
+                         const ScreenPoint<Coordinate>& p) {
+  const bool turn = to.x < from.x || (to.x == from.x && to.y < from.y);
+  const ScreenPoint<Coordinate>&a = turn ? to : from, &b = turn ? from : to;
+  const Coordinate value = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  return turn ? Coordinate(-value) : value;
+}
+
+// Whether a point on the edge belongs to the triangle on the edge's positive side: a top or a left edge.
+template <class Coordinate>
+bool owns_edge(const ScreenPoint<Coordinate>& from, const ScreenPoint<Coordinate>& to) {
+  return to.y < from.y || (to.y == from.y && to.x > from.x);
+}
+
+}  // namespace morphcl::accuracy

@@ -1,0 +1,170 @@
+// The report as a whole: complete, the same for the same seed, and written so that programs can read it.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "host/error.hpp"
+#include "lab/accuracy/verdict.hpp"
+#include "lab/accuracy/write_files.hpp"
+#include "lab/accuracy/write_plot.hpp"
+#include "lab/accuracy/write_table.hpp"
+#include "tests/lab/accuracy/one_operation.hpp"
+
+namespace morphcl::accuracy {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using testing::quick_report;
+
+Report report_of(const std::vector<std::string>& names, std::uint64_t seed = 1) {
+  Settings settings;
+  settings.quick = true;
+  settings.seed = seed;
+  return run_report(settings, names, 0, [](const std::string&, std::size_t, std::size_t) {});
+}
+
+TEST(AccuracyReport, HasEveryOperation) {
+  EXPECT_THAT(operation_names(), IsSupersetOf({"matrix-rotation",
+                                               "matrix-look-at",
+                                               "matrix-projection",
+                                               "matrix-scale-about",
+                                               "matrix-shear",
+                                               "matrix-oblique",
+                                               "matrix-axonometric",
+                                               "compose",
+                                               "point-transform",
+                                               "divide",
+                                               "viewport-snap",
+                                               "clip",
+                                               "coverage",
+                                               "interpolation",
+                                               "depth",
+                                               "normal",
+                                               "slerp",
+                                               "lerp",
+                                               "hermite",
+                                               "spring",
+                                               "point-in-polygon"}));
+}
+
+// Every operation by its name, so that one that is wrong is named.
+class EveryOperation : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryOperation, IsCompleteAndConfirmed) {
+  const OperationReport report = quick_report(GetParam());
+  EXPECT_TRUE(report.digits_confirmed);
+  ASSERT_FALSE(report.families.empty());
+  std::set<std::string> first_variants;
+  for (const Family& family : report.families) {
+    std::set<std::string> variants;
+    bool ships = false;
+    for (const Result& result : report.results) {
+      if (result.family != family.name) continue;
+      variants.insert(result.variant);
+      ships = ships || result.ships;
+      EXPECT_GT(result.compared, 0u);
+      EXPECT_TRUE(result.figures.has(report.about.plotted)) << result.variant;
+      ASSERT_FALSE(result.timings.empty()) << result.variant;
+      for (const Timing& timing : result.timings) {
+        EXPECT_GE(timing.runs, 30);
+        EXPECT_GT(timing.elements, 0u);
+        EXPECT_GT(timing.minimum_ns, 0);
+        EXPECT_LE(timing.minimum_ns, timing.median_ns);
+        EXPECT_NE(timing.level, "");
+      }
+    }
+    EXPECT_GE(variants.size(), 4u) << family.name;
+    EXPECT_TRUE(ships) << "nothing that morphcl computes on " << family.name;
+    EXPECT_NE(verdict(report, family.name), "");
+    if (first_variants.empty()) first_variants = variants;
+    EXPECT_EQ(variants, first_variants) << family.name;
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& parameter) {
+  std::string name = parameter.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Accuracy, EveryOperation, ::testing::ValuesIn(operation_names()), test_name);
+
+TEST(AccuracyReport, ErrorsFollowFromTheSeedAlone) {
+  const OperationReport first = quick_report("lerp"), again = quick_report("lerp"), other = quick_report("lerp", 2);
+  ASSERT_EQ(first.results.size(), again.results.size());
+  bool differs = false;
+  for (std::size_t i = 0; i < first.results.size(); ++i) {
+    EXPECT_EQ(first.results[i].hash, again.results[i].hash);
+    EXPECT_TRUE(same_digits(first.results[i].figures, again.results[i].figures));
+    differs = differs || first.results[i].hash != other.results[i].hash;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(AccuracyReport, AnUnknownOperationIsRefusedWithTheListOfThem) {
+  try {
+    report_of({"lerp", "lerq"});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_THAT(error.what(), HasSubstr("'lerq'"));
+    EXPECT_THAT(error.what(), HasSubstr("point-transform"));
+  }
+}
+
+TEST(AccuracyReport, JsonHoldsEveryFigure) {
+  const Report report = report_of({"clip", "normal"});
+  const nlohmann::json json = nlohmann::json::parse(json_of(report));
+  EXPECT_EQ(json["operations"].size(), 2u);
+  EXPECT_TRUE(json["digits_confirmed"]);
+  EXPECT_GE(json["reference_bits"], 113);
+  EXPECT_EQ(json["confirming_bits"], 2 * json["reference_bits"].get<int>());
+  for (const nlohmann::json& operation : json["operations"])
+    for (const nlohmann::json& result : operation["results"]) {
+      EXPECT_TRUE(result["errors"].contains(operation["target_measure"].get<std::string>())) << result;
+      EXPECT_FALSE(result["timings"].empty());
+    }
+}
+
+TEST(AccuracyReport, CsvHasAColumnForEveryFieldOfEveryLine) {
+  const std::string csv = csv_of(report_of({"clip"}));
+  std::size_t lines = 0, columns = 0;
+  std::istringstream stream(csv);
+  for (std::string line; std::getline(stream, line); ++lines) {
+    // Names of variants are quoted and hold commas.
+    bool quoted = false;
+    std::size_t fields = 1;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted) ++fields;
+    }
+    if (lines == 0) columns = fields;
+    EXPECT_EQ(fields, columns) << line;
+  }
+  EXPECT_GT(lines, 10u);
+}
+
+TEST(AccuracyReport, TablesFitOnATerminalOfAHundredColumns) {
+  for (const char* name : {"point-transform", "coverage", "depth", "lerp"}) {
+    std::istringstream stream(table_of(quick_report(name)));
+    for (std::string line; std::getline(stream, line);) {
+      const bool sentence = line.starts_with("  ->") || line.starts_with(name) || line.starts_with("  target");
+      if (!sentence) {
+        EXPECT_LE(line.size(), 100u) << line;
+      }
+    }
+  }
+}
+
+TEST(AccuracyReport, ThePlotNamesEveryVariantAndTheTarget) {
+  const Report report = report_of({"interpolation"});
+  const std::string program = plot_program(report, "it's here.svg");
+  for (const Result& result : report.operations[0].results) EXPECT_THAT(program, HasSubstr("'" + result.variant + "'"));
+  EXPECT_THAT(program, HasSubstr("set output 'it''s here.svg'"));
+  EXPECT_THAT(program, HasSubstr("target 5"));
+}
+
+}  // namespace
+}  // namespace morphcl::accuracy
