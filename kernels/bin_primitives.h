@@ -42,7 +42,9 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   if (area == 0 || (area < 0 && !double_sided)) return;
   if (area < 0) {
     const int4 swapped = b;
-    b = c, c = swapped, area = -area;
+    b = c;
+    c = swapped;
+    area = -area;
   }
   turn_for_depth(&a, &b, &c);
   const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0), first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
@@ -51,8 +53,12 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   if (first_x > last_x || first_y > last_y) return;
 
   LargeTriangle t;
-  t.ax = a.x, t.ay = a.y;
-  t.d1x = b.x - a.x, t.d1y = b.y - a.y, t.d2x = c.x - a.x, t.d2y = c.y - a.y;
+  t.ax = a.x;
+  t.ay = a.y;
+  t.d1x = b.x - a.x;
+  t.d1y = b.y - a.y;
+  t.d2x = c.x - a.x;
+  t.d2y = c.y - a.y;
   t.id = id;
   set_depth_plane(&t, a, b, c, area, bins->frame);
   const uint number = bins->large_count++;
@@ -90,7 +96,8 @@ static inline void bin_line(Bins* bins, int4 a, int4 b, uint id) {
   const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
   if (steep ? b.y < a.y : b.x < a.x) {
     const int4 swapped = a;
-    a = b, b = swapped;
+    a = b;
+    b = swapped;
   }
   const int start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
   const long run = stop - start, rise = (steep ? b.x - a.x : b.y - a.y);
@@ -161,10 +168,14 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
             bins->fragment_places[at] = (ushort)place[lane];
           }
       }
-      value0 -= d1y * SUBPIXELS, value1 -= d3y * SUBPIXELS, value2 += d2y * SUBPIXELS;
+      value0 -= d1y * SUBPIXELS;
+      value1 -= d3y * SUBPIXELS;
+      value2 += d2y * SUBPIXELS;
       if (i + 1 < SMALL_PIXELS && !any_lane(in_box & (columns > i))) break;
     }
-    row0 += d1x * SUBPIXELS, row1 += d3x * SUBPIXELS, row2 -= d2x * SUBPIXELS;
+    row0 += d1x * SUBPIXELS;
+    row1 += d3x * SUBPIXELS;
+    row2 -= d2x * SUBPIXELS;
   }
 }
 
@@ -199,9 +210,12 @@ static inline void bin_triangle_block(Bins* bins, global const DrawConstants* dr
     Triangles turned = t;
     if (double_sided) {
       const int16 back = area < 0;
-      turned.x[1] = select(t.x[1], t.x[2], back), turned.x[2] = select(t.x[2], t.x[1], back);
-      turned.y[1] = select(t.y[1], t.y[2], back), turned.y[2] = select(t.y[2], t.y[1], back);
-      turned.depth[1] = select(t.depth[1], t.depth[2], back), turned.depth[2] = select(t.depth[2], t.depth[1], back);
+      turned.x[1] = select(t.x[1], t.x[2], back);
+      turned.x[2] = select(t.x[2], t.x[1], back);
+      turned.y[1] = select(t.y[1], t.y[2], back);
+      turned.y[2] = select(t.y[2], t.y[1], back);
+      turned.depth[1] = select(t.depth[1], t.depth[2], back);
+      turned.depth[2] = select(t.depth[2], t.depth[1], back);
       area = select(area, -area, back);
     }
     rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
@@ -263,9 +277,14 @@ COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict
   bins.large = large + (size_t)chunk * frame->large_capacity;
   bins.large_count = 0;
   bins.large_capacity = frame->large_capacity;
-  bins.width = frame->width, bins.height = frame->height, bins.tiles_x = frame->tiles_x;
+  bins.width = frame->width;
+  bins.height = frame->height;
+  bins.tiles_x = frame->tiles_x;
   bins.frame = frame;
-  for (uint tile = 0; tile < tiles; tile++) bins.fragments.heads[tile] = 0, bins.entries.heads[tile] = 0;
+  for (uint tile = 0; tile < tiles; tile++) {
+    bins.fragments.heads[tile] = 0;
+    bins.entries.heads[tile] = 0;
+  }
 
   const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
   for (uint position = chunk * frame->blocks_per_chunk; position < end; position++) {

@@ -72,10 +72,14 @@ static inline Corner source_corner(global const DrawConstants* draw, global cons
   const ClipPoints p = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
   float field[LANES];
   Corner corner;
-  vstore16(p.x, 0, field), corner.x = field[lane];
-  vstore16(p.y, 0, field), corner.y = field[lane];
-  vstore16(p.z, 0, field), corner.z = field[lane];
-  vstore16(p.w, 0, field), corner.w = field[lane];
+  vstore16(p.x, 0, field);
+  corner.x = field[lane];
+  vstore16(p.y, 0, field);
+  corner.y = field[lane];
+  vstore16(p.z, 0, field);
+  corner.z = field[lane];
+  vstore16(p.w, 0, field);
+  corner.w = field[lane];
   FOR_THREE(i) corner.weight[i] = i == number ? 1.0f : 0.0f;
   return corner;
 }

@@ -107,9 +107,12 @@ static inline ClosenessPlanes closeness_planes(float16 distance_a, float16 dista
   const TwoFloats a = closeness_of(distance_a, frame), b = closeness_of(distance_b, frame), c = closeness_of(distance_c, frame);
   const uint16 key_a = key_of(a), key_b = key_of(b), key_c = key_of(c);
   ClosenessPlanes planes;
-  planes.least = min(key_a, min(key_b, key_c)), planes.greatest = max(key_a, max(key_b, key_c));
+  planes.least = min(key_a, min(key_b, key_c));
+  planes.greatest = max(key_a, max(key_b, key_c));
   planes.in_range = (a.high >= 0.0f) & (b.high >= 0.0f) & (c.high >= 0.0f);
-  planes.a = quotient_of(a, area), planes.b = quotient_of(b, area), planes.c = quotient_of(c, area);
+  planes.a = quotient_of(a, area);
+  planes.b = quotient_of(b, area);
+  planes.c = quotient_of(c, area);
   return planes;
 }
 
@@ -125,10 +128,14 @@ static inline void set_depth_plane(LargeTriangle* t, int4 a, int4 b, int4 c, lon
   const ClosenessPlanes planes = closeness_planes((float16)(as_float(a.z)), (float16)(as_float(b.z)), (float16)(as_float(c.z)),
                                                   from_longs((long16)(area)), frame);
   DepthPlane* p = &t->plane;
-  p->a[0] = planes.a.high.s0, p->a[1] = planes.a.low.s0;
-  p->b[0] = planes.b.high.s0, p->b[1] = planes.b.low.s0;
-  p->c[0] = planes.c.high.s0, p->c[1] = planes.c.low.s0;
-  p->least = planes.least.s0, p->greatest = planes.greatest.s0;
+  p->a[0] = planes.a.high.s0;
+  p->a[1] = planes.a.low.s0;
+  p->b[0] = planes.b.high.s0;
+  p->b[1] = planes.b.low.s0;
+  p->c[0] = planes.c.high.s0;
+  p->c[1] = planes.c.low.s0;
+  p->least = planes.least.s0;
+  p->greatest = planes.greatest.s0;
   p->in_range = planes.in_range.s0 != 0;
 }
 
@@ -171,7 +178,8 @@ typedef struct {
 } DepthBounds;
 static inline DepthBounds depth_bounds(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right, int16 top, int16 bottom) {
   DepthBounds bounds;
-  bounds.least = t->plane.least, bounds.greatest = t->plane.greatest;
+  bounds.least = t->plane.least;
+  bounds.greatest = t->plane.greatest;
   return bounds;
 }
 
@@ -188,9 +196,13 @@ ALWAYS_INLINE SmallPlanes small_planes(const int16 depth[3], int16 area, int16 p
   SmallPlanes planes;
   // Lanes that are not drawn may have no area; they are not looked at.
   planes.closeness = closeness_planes(as_float16(depth[0]), as_float16(depth[1]), as_float16(depth[2]), from_ints(area), frame);
-  planes.area = area, planes.part1 = part1, planes.part2 = part2;
-  planes.part1_dx = d2y * SUBPIXELS, planes.part1_dy = -d2x * SUBPIXELS;
-  planes.part2_dx = -d1y * SUBPIXELS, planes.part2_dy = d1x * SUBPIXELS;
+  planes.area = area;
+  planes.part1 = part1;
+  planes.part2 = part2;
+  planes.part1_dx = d2y * SUBPIXELS;
+  planes.part1_dy = -d2x * SUBPIXELS;
+  planes.part2_dx = -d1y * SUBPIXELS;
+  planes.part2_dy = d1x * SUBPIXELS;
   return planes;
 }
 
@@ -199,7 +211,8 @@ typedef struct {
 } SmallRow;
 ALWAYS_INLINE SmallRow small_row(const SmallPlanes* planes, int row) {
   SmallRow parts;
-  parts.part1 = planes->part1 + planes->part1_dy * row, parts.part2 = planes->part2 + planes->part2_dy * row;
+  parts.part1 = planes->part1 + planes->part1_dy * row;
+  parts.part2 = planes->part2 + planes->part2_dy * row;
   return parts;
 }
 
@@ -218,7 +231,8 @@ typedef struct {
 } LineDepth;
 static inline LineDepth line_depth(int4 a, int4 b, constant const FrameConstants* frame) {
   LineDepth line;
-  line.start = closeness_of((float16)(as_float(a.z)), frame), line.end = closeness_of((float16)(as_float(b.z)), frame);
+  line.start = closeness_of((float16)(as_float(a.z)), frame);
+  line.end = closeness_of((float16)(as_float(b.z)), frame);
   return line;
 }
 static inline bool depth_on_line(const LineDepth* line, long offset, long run, uint* bits) {

@@ -27,13 +27,19 @@ ALWAYS_INLINE Irradiance irradiance(constant const FrameConstants* frame, global
   const int16 has_normal = length > 0.0f;
   const float16 normal_length = select((float16)1.0f, length, has_normal);
   Irradiance sum;
-  sum.r = frame->ambient[0], sum.g = frame->ambient[1], sum.b = frame->ambient[2];
+  sum.r = frame->ambient[0];
+  sum.g = frame->ambient[1];
+  sum.b = frame->ambient[2];
   for (uint i = 0; i < frame->light_count; i++) {
     EyeVector to_light;
-    to_light.x = lights[i].vector[0], to_light.y = lights[i].vector[1], to_light.z = lights[i].vector[2];
+    to_light.x = lights[i].vector[0];
+    to_light.y = lights[i].vector[1];
+    to_light.z = lights[i].vector[2];
     float16 divisor = normal_length;
     if (lights[i].is_point) {
-      to_light.x -= position.x, to_light.y -= position.y, to_light.z -= position.z;
+      to_light.x -= position.x;
+      to_light.y -= position.y;
+      to_light.z -= position.z;
       const float16 square = dot_product(to_light, to_light);
       const float16 distance = sqrt(square);
       divisor *= lights[i].falloff ? square * distance : distance;

@@ -43,7 +43,9 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
     // Scaled by its largest component first: the squares of tiny or huge faces stay in range.
     const float16 largest = max(fabs(normal.x), max(fabs(normal.y), fabs(normal.z)));
     const float16 scale = select((float16)1.0f, largest, largest > 0.0f);
-    normal.x /= scale, normal.y /= scale, normal.z /= scale;
+    normal.x /= scale;
+    normal.y /= scale;
+    normal.z /= scale;
 
     const float16 third = 1.0f / 3.0f;
     const float16 mid_x = ax + (ux + vx) * third, mid_y = ay + (uy + vy) * third, mid_z = az + (uz + vz) * third;
@@ -54,7 +56,11 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
     if (draw->flags & DRAW_DOUBLE_SIDED) {
       // Along the line of sight through the face, away from the viewer.
       EyeVector away = centre;
-      if (frame->parallel) away.x = frame->slant[0], away.y = frame->slant[1], away.z = -1.0f;
+      if (frame->parallel) {
+        away.x = frame->slant[0];
+        away.y = frame->slant[1];
+        away.z = -1.0f;
+      }
       const int16 back = dot_product(normal, away) > 0.0f;
       normal.x = select(normal.x, -normal.x, back);
       normal.y = select(normal.y, -normal.y, back);

@@ -69,12 +69,16 @@ ALWAYS_INLINE ClipPoints clip_points(global const DrawConstants* draw, global co
     global const PreciseConstants* own = &precise[draw->precise];
     const PreciseVertices vertices = draw->flags & DRAW_PIVOT ? pivot_vertices(draw, own, targets, mesh_data, at)
                                                               : two_float_vertices(draw, own, targets, mesh_data, at);
-    *x = vertices.position[0], *y = vertices.position[1], *z = vertices.position[2];
+    *x = vertices.position[0];
+    *y = vertices.position[1];
+    *z = vertices.position[2];
     return vertices.clip;
   }
   float16 px, py, pz;
   MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, px, py, pz)
-  *x = px, *y = py, *z = pz;
+  *x = px;
+  *y = py;
+  *z = pz;
   return to_clip(draw, px, py, pz);
 }
 

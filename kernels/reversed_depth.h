@@ -26,9 +26,13 @@ static inline void turn_for_depth(int4* a, int4* b, int4* c) {
   const float depth_a = as_float((*a).z), depth_b = as_float((*b).z), depth_c = as_float((*c).z);
   const int4 first = *a, second = *b, third = *c;
   if (depth_b < depth_a && depth_b <= depth_c) {
-    *a = second, *b = third, *c = first;
+    *a = second;
+    *b = third;
+    *c = first;
   } else if (depth_c < depth_a && depth_c < depth_b) {
-    *a = third, *b = first, *c = second;
+    *a = third;
+    *b = first;
+    *c = second;
   }
 }
 
@@ -110,7 +114,8 @@ typedef struct {
 } LineDepth;
 static inline LineDepth line_depth(int4 a, int4 b, constant const FrameConstants* frame) {
   LineDepth line;
-  line.start = as_float(a.z), line.change = as_float(b.z) - line.start;
+  line.start = as_float(a.z);
+  line.change = as_float(b.z) - line.start;
   return line;
 }
 // The bits of the depth after offset / run of the line; false beyond the far plane.

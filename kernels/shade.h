@@ -59,7 +59,10 @@ ALWAYS_INLINE float16 eye_distance(constant const FrameConstants* frame, float16
 ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2, int16* f3) {
   if (same) {
     const int4 record = records[index[0]];
-    *f0 = record.x, *f1 = record.y, *f2 = record.z, *f3 = record.w;
+    *f0 = record.x;
+    *f1 = record.y;
+    *f2 = record.z;
+    *f3 = record.w;
     return;
   }
   GATHER_RECORDS(records, index, *f0, *f1, *f2, *f3)
@@ -87,11 +90,14 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner
     const uint piece = id.lane[lane] & 7u;
     is_cut[lane] = 0;
     if (piece == 0) continue;
-    is_cut[lane] = -1, surface->any_cut = true;
+    is_cut[lane] = -1;
+    surface->any_cut = true;
     const uint slot = slot_of(s, id.lane[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
     FOR_THREE(i) {
       const float4 weights = s->clip_weights[slot * CLIP_VERTICES + local_corner[i]];
-      cut[i][0][lane] = weights.x, cut[i][1][lane] = weights.y, cut[i][2][lane] = weights.z;
+      cut[i][0][lane] = weights.x;
+      cut[i][1][lane] = weights.y;
+      cut[i][2][lane] = weights.z;
       corner[i][lane] = s->frame->first_clip_vertex + slot * CLIP_VERTICES + local_corner[i];
     }
   }
@@ -104,12 +110,16 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner
 // The ids (the first alone when `same`) all belong to the draw.
 ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, Lanes id, bool same, Surface* surface) {
   surface->draw = draw;
-  surface->color.r = draw->base_color[0], surface->color.g = draw->base_color[1], surface->color.b = draw->base_color[2];
+  surface->color.r = draw->base_color[0];
+  surface->color.g = draw->base_color[1];
+  surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
   if (draw->flags & DRAW_FLAT) {
     const Lanes number = lanes_of(id.all >> 3u);
     fetch(s->face_color, number.lane, same, &f0, &f1, &f2, &unused);
-    surface->color.r = as_float16(f0), surface->color.g = as_float16(f1), surface->color.b = as_float16(f2);
+    surface->color.r = as_float16(f0);
+    surface->color.g = as_float16(f1);
+    surface->color.b = as_float16(f2);
   }
   if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return;
 
@@ -130,12 +140,16 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   if (draw->flags & DRAW_SMOOTH)
     FOR_THREE(i) {
       fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
-      surface->normal[i].x = as_float16(f0), surface->normal[i].y = as_float16(f1), surface->normal[i].z = as_float16(f2);
+      surface->normal[i].x = as_float16(f0);
+      surface->normal[i].y = as_float16(f1);
+      surface->normal[i].z = as_float16(f2);
     }
   if (draw->flags & DRAW_VERTEX_COLORS)
     FOR_THREE(i) {
       fetch(s->colors, vertex[i], same, &f0, &f1, &f2, &unused);
-      surface->tint[i].r = as_float16(f0), surface->tint[i].g = as_float16(f1), surface->tint[i].b = as_float16(f2);
+      surface->tint[i].r = as_float16(f0);
+      surface->tint[i].g = as_float16(f1);
+      surface->tint[i].b = as_float16(f2);
     }
 }
 
@@ -148,7 +162,10 @@ ALWAYS_INLINE float16 weighted(Weights w, float16 a, float16 b, float16 c) {
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels p) {
   const int16 px = (p.x + LANE) * SUBPIXELS + HALF_PIXEL, py = p.y * SUBPIXELS + HALF_PIXEL;
   float16 dx[3], dy[3];
-  FOR_THREE(i) dx[i] = convert_float16(surface->x[i] - px), dy[i] = convert_float16(surface->y[i] - py);
+  FOR_THREE(i) {
+    dx[i] = convert_float16(surface->x[i] - px);
+    dy[i] = convert_float16(surface->y[i] - py);
+  }
   Weights w;
   w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
   w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
@@ -195,7 +212,8 @@ ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, P
     position.x = fma(distance, (float16)(s->frame->slant[0]), position.x);
     position.y = fma(distance, (float16)(s->frame->slant[1]), position.y);
   } else {
-    position.x *= distance, position.y *= distance;
+    position.x *= distance;
+    position.y *= distance;
   }
   position.z = -distance;
   return irradiance(s->frame, s->lights, normal, position);
@@ -209,7 +227,9 @@ ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, 
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (flags & DRAW_SMOOTH) {
     const Irradiance light = smooth_light(s, surface, p, w, total);
-    color.r *= light.r, color.g *= light.g, color.b *= light.b;
+    color.r *= light.r;
+    color.g *= light.g;
+    color.b *= light.b;
   }
   if (flags & DRAW_VERTEX_COLORS) {
     color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;

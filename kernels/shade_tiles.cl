@@ -46,7 +46,9 @@ typedef struct {
 
 ALWAYS_INLINE RowColor row_color(Irradiance color, float16 alpha) {
   RowColor halves;
-  halves.red = to_halves(color.r), halves.green = to_halves(color.g), halves.blue = to_halves(color.b);
+  halves.red = to_halves(color.r);
+  halves.green = to_halves(color.g);
+  halves.blue = to_halves(color.b);
   halves.alpha = to_halves(alpha);
   return halves;
 }
@@ -90,7 +92,8 @@ ALWAYS_INLINE Irradiance color_of_primitive(const Shader* s, Column* column, uin
 // One row of a block: stores its distances and returns its colours.
 ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row, Picture picture) {
   Pixels p;
-  p.x = tile.x + first, p.y = tile.y + row;
+  p.x = tile.x + first;
+  p.y = tile.y + row;
   Irradiance color;
   color.r = color.g = color.b = 0.0f;
   float16 alpha = 0.0f, distance = BACKGROUND_DEPTH;
@@ -105,12 +108,14 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
       distance = select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
     } else if (first_id != NO_ID) {
       if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
-      alpha = 1.0f, distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
+      alpha = 1.0f;
+      distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
     }
   } else if (column->content != CLEAR) {
     p.depth = depths_in_row(column->triangle, column->corner, first, row);
     if (s->frame->writes_color) color = color_of_primitive(s, column, column->triangle->id, p);
-    alpha = 1.0f, distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
+    alpha = 1.0f;
+    distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
   }
   if (s->frame->writes_depth)
     STORE_PAST_CACHE(distance, (global float16*)(picture.distance + (size_t)p.y * s->frame->row_pitch + p.x));
@@ -135,8 +140,10 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
   const uint number = (place * frame->tile_step) % tiles;
   Tile tile;
-  tile.depth = tile_depths, tile.id = tile_ids;
-  tile.x = (int)(number % (uint)frame->tiles_x) * TILE, tile.y = (int)(number / (uint)frame->tiles_x) * TILE;
+  tile.depth = tile_depths;
+  tile.id = tile_ids;
+  tile.x = (int)(number % (uint)frame->tiles_x) * TILE;
+  tile.y = (int)(number / (uint)frame->tiles_x) * TILE;
 
   // ---- 1, 2
   Blocks blocks;
@@ -148,7 +155,10 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
     any_entry |= entry_heads[(size_t)chunk * tiles + number] != 0;
   }
   if (any_fragment) {
-    for (int i = 0; i < TILE * ROW_VECTORS; i++) tile.depth[i] = background_depth(frame), tile.id[i] = NO_ID;
+    for (int i = 0; i < TILE * ROW_VECTORS; i++) {
+      tile.depth[i] = background_depth(frame);
+      tile.id[i] = NO_ID;
+    }
     for (uint chunk = 0; chunk < chunks; chunk++) {
       const size_t first_page = (size_t)chunk * frame->fragment_pages;
       const Fragments fragments = {fragment_keys + first_page * PAGE, fragment_places + first_page * PAGE, fragment_next + first_page};
@@ -193,9 +203,17 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
   blank_blocks[number] = blank;
 
   Shader shader;
-  shader.frame = frame, shader.draws = draws, shader.block_draw = block_draw, shader.indices = indices, shader.lights = lights;
-  shader.vertices = vertices, shader.attributes = attributes, shader.colors = colors, shader.face_color = face_color;
-  shader.clip_source = clip_source, shader.clip_weights = clip_weights;
+  shader.frame = frame;
+  shader.draws = draws;
+  shader.block_draw = block_draw;
+  shader.indices = indices;
+  shader.lights = lights;
+  shader.vertices = vertices;
+  shader.attributes = attributes;
+  shader.colors = colors;
+  shader.face_color = face_color;
+  shader.clip_source = clip_source;
+  shader.clip_weights = clip_weights;
   shader.clipped = 0;
   if (frame->clips)
     for (uint chunk = 0; chunk < chunks; chunk++) shader.clipped += status[chunk].clipped;

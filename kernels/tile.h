@@ -45,7 +45,10 @@ static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
       const uint id = (uint)key;
       const int place = fragments.places[i];
       const Depth held = depths[place];
-      if (depth > held || (depth == held && id < ids[place])) depths[place] = depth, ids[place] = id;
+      if (depth > held || (depth == held && id < ids[place])) {
+        depths[place] = depth;
+        ids[place] = id;
+      }
     }
     head = head_before(fragments.next, head);
   }
@@ -58,7 +61,8 @@ static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
     for (uint i = first_of_page(head); i < head; i++) {
       const ulong key = fragments.keys[i];
       const int place = fragments.places[i];
-      depths[place] = depth_from_bits((uint)(key >> 32)), ids[place] = (uint)key;
+      depths[place] = depth_from_bits((uint)(key >> 32));
+      ids[place] = (uint)key;
     }
     head = head_before(fragments.next, head);
   }
@@ -74,13 +78,16 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
     for (int y = 0; y < TILE_BLOCK; y++) {
       const int at = ((block >> 2) * TILE_BLOCK + y) * ROW_VECTORS + (block & 3);
       const Depths held = tile.depth[at];
-      low = min(low, held), high = max(high, held);
+      low = min(low, held);
+      high = max(high, held);
       lowest_id = min(lowest_id, tile.id[at]);
     }
-    least_of[block] = least_depth(low), greatest_of[block] = greatest_depth(high);
+    least_of[block] = least_depth(low);
+    greatest_of[block] = greatest_depth(high);
     content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
   }
-  blocks->least = vload16(0, least_of), blocks->greatest = vload16(0, greatest_of);
+  blocks->least = vload16(0, least_of);
+  blocks->greatest = vload16(0, greatest_of);
   blocks->content = vload16(0, content);
 }
 
@@ -134,7 +141,9 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
       edges->value[e] = edges->step_x[e] = edges->step_y[e] = 0;
       continue;
     }
-    edges->value[e] = (int)exact, edges->step_x[e] = step_x, edges->step_y[e] = step_y;
+    edges->value[e] = (int)exact;
+    edges->step_x[e] = step_x;
+    edges->step_y[e] = step_y;
     const int16 at = (int)exact + step_x * BLOCK_X + step_y * BLOCK_Y;
     *misses |= at + (max(0, step_x) + max(0, step_y)) * (TILE_BLOCK - 1) < 0;
     *covers &= at + (min(0, step_x) + min(0, step_y)) * (TILE_BLOCK - 1) >= 0;

@@ -12,7 +12,8 @@ typedef struct {
 
 ALWAYS_INLINE TwoFloats two_floats(float16 high, float16 low) {
   TwoFloats value;
-  value.high = high, value.low = low;
+  value.high = high;
+  value.low = low;
   return value;
 }
 

@@ -49,19 +49,23 @@ static inline bool any_lane(int16 mask) {
 static inline int lowest_lane(ulong bytes) { return (63 - (int)clz(bytes & -bytes)) >> 3; }
 static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffUL << (lane * 8)); }
 
-static inline int first_lane(int16 mask) {
-  const ulong2 bytes = mask_bytes(mask);
-  return bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y);
+// Likewise of all sixteen.
+static inline int lowest_of_lanes(ulong2 bytes) { return bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y); }
+static inline ulong2 without_lowest_lane(ulong2 bytes) {
+  if (bytes.x)
+    bytes.x = without_lane(bytes.x, lowest_lane(bytes.x));
+  else
+    bytes.y = without_lane(bytes.y, lowest_lane(bytes.y));
+  return bytes;
 }
 
-// for (lane of the mask, ascending)
+static inline int first_lane(int16 mask) { return lowest_of_lanes(mask_bytes(mask)); }
+
+// for (lane of the mask, ascending). The inner loop runs once: it gives the lane its name.
 #define FOR_EACH_LANE(lane, mask)                                                                       \
-  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0;)                 \
-    for (int lane = lane##_bytes.x ? lowest_lane(lane##_bytes.x) : 8 + lowest_lane(lane##_bytes.y),     \
-             lane##_once = 1;                                                                           \
-         lane##_once; lane##_once = 0,                                                                  \
-             lane##_bytes.x = lane < 8 ? without_lane(lane##_bytes.x, lane) : lane##_bytes.x,           \
-             lane##_bytes.y = lane < 8 ? lane##_bytes.y : without_lane(lane##_bytes.y, lane - 8))
+  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0;                  \
+       lane##_bytes = without_lowest_lane(lane##_bytes))                                                \
+    for (int lane = lowest_of_lanes(lane##_bytes), lane##_once = 1; lane##_once; lane##_once = 0)
 
 static inline float least(float16 v) {
   float8 a = min(v.lo, v.hi);

@@ -20,7 +20,9 @@ typedef struct {
     const float16 base_x = vload16(0, mesh_data + base_offset + at);                                                   \
     const float16 base_y = vload16(0, mesh_data + base_offset + pitch + at);                                           \
     const float16 base_z = vload16(0, mesh_data + base_offset + 2 * pitch + at);                                       \
-    x = base_x, y = base_y, z = base_z;                                                                                \
+    x = base_x;                                                                                                        \
+    y = base_y;                                                                                                        \
+    z = base_z;                                                                                                        \
     for (uint k = 0; k < count; k++) {                                                                                 \
       const uint plane = targets[first + k].ATTRIBUTE;                                                                 \
       if (plane == NO_ID) continue;                                                                                    \
