@@ -16,8 +16,10 @@ namespace {
   constexpr int most_named = 8;
   std::string names = fmt::format("{}", node);
   int length = 1;
-  for (int next = parents[node]; next != node; next = parents[next], ++length)
+  for (int next = parents[node]; next != node; next = parents[next]) {
     if (length < most_named) names += fmt::format(" under {}", next);
+    ++length;
+  }
   if (length > most_named) names += " ...";
   throw Error(ErrorKind::bad_input, fmt::format("nodes[{}]", node),
               fmt::format("{} nodes are each other's parents ({}); a hierarchy has no cycle", length, names));

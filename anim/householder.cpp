@@ -43,7 +43,10 @@ HouseholderQr::HouseholderQr(DenseMatrix& a, Pivoting pivoting) {
       double most = -1;
       for (std::size_t c = i; c < a.columns; ++c) {
         const double square = square_length(a.column(c) + i, left);
-        if (square > most) most = square, longest = c;
+        if (square > most) {
+          most = square;
+          longest = c;
+        }
       }
       std::swap_ranges(a.column(i), a.column(i) + a.rows, a.column(longest));
     }

@@ -66,7 +66,8 @@ void SpringStep::find_by_series(const Spring& spring, double t) {
   constexpr int terms = 26;
   const double x = spring.angular_frequency * t, damping = 2 * spring.damping_ratio * x, square = x * x;
   std::array<double, terms> b;
-  b[0] = 1, b[1] = -0.5 * damping;
+  b[0] = 1;
+  b[1] = -0.5 * damping;
   for (int n = 2; n < terms; ++n) {
     const auto at = static_cast<std::size_t>(n);
     b[at] = -std::fma(damping * n, b[at - 1], square * b[at - 2]) / (static_cast<double>(n) * (n + 1));
@@ -79,7 +80,8 @@ void SpringStep::find_by_series(const Spring& spring, double t) {
     velocity = std::fma(n + 1.0, term, velocity);
     for (int i = 0; i < 4; ++i) response[static_cast<std::size_t>(i)] += term /= n + 2 + i;
   }
-  p12_ = t * position, p22_ = velocity;
+  p12_ = t * position;
+  p22_ = velocity;
   double scale = square;  // x^2 t^i i!
   for (std::size_t i = 0; i < 4; ++i) {
     response_[i] = scale * response[i];

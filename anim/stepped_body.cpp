@@ -32,7 +32,10 @@ SteppedBody::SteppedBody(SpringNet net, EdgeRest rest, MorphDrive drive, const T
           std::max<std::size_t>(kept_bytes / (2 * sizeof(glm::dvec3) * std::max<std::size_t>(net_.masses, 1)), 2)),
       stepper_(net_, rest, step_seconds(time)) {
   const std::int64_t first = drive_.first_tick(), end = drive_.end_tick();
-  if (first <= end) first_frame_ = frame_at_or_before(first, time), end_frame_ = frame_at_or_before(end, time) + 1;
+  if (first <= end) {
+    first_frame_ = frame_at_or_before(first, time);
+    end_frame_ = frame_at_or_before(end, time) + 1;
+  }
   if (first > end) still_from_ = first_frame_;
   frame_ = first_frame_;
   rest_at(time.frame_ticks(frame_), state_.position);
@@ -86,7 +89,10 @@ void SteppedBody::displacements_at(std::int64_t frame, Displacements& out) {
   frame = std::max(frame, first_frame_);
   if (still_from_) frame = std::min(frame, *still_from_);
   const auto kept = std::prev(kept_.upper_bound(frame));
-  if (frame_ > frame || kept->first > frame_) frame_ = kept->first, state_ = kept->second;
+  if (frame_ > frame || kept->first > frame_) {
+    frame_ = kept->first;
+    state_ = kept->second;
+  }
   while (frame_ < frame && !(still_from_ && frame_ >= *still_from_)) {
     go_on_one_frame();
     keep();

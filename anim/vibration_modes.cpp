@@ -22,7 +22,10 @@ std::size_t count_pieces(const SpringNet& net) {
   for (const SpringNet::Edge& edge : net.edges) {
     if (edge.stiffness == 0) continue;
     const std::uint32_t a = root(edge.a), b = root(edge.b);
-    if (a != b) parent[a] = b, --pieces;
+    if (a != b) {
+      parent[a] = b;
+      --pieces;
+    }
   }
   return pieces;
 }

@@ -73,7 +73,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::vector<Arrays> arrays(static_cast<std::size_t>(wanted));
-  for (Arrays& each : arrays) each.from.assign(words_per_thread, 1), each.to.assign(words_per_thread, 2);
+  for (Arrays& each : arrays) {
+    each.from.assign(words_per_thread, 1);
+    each.to.assign(words_per_thread, 2);
+  }
 
   const double bytes = words_per_thread * sizeof(std::uint64_t);
   const double fill = best_rate(arrays, bytes, [](Arrays& own) { fill_past_cache(own.to); });

@@ -84,12 +84,17 @@ void compare(const std::string& name, const std::string& item, const std::functi
   std::vector<double> left_out, done, saved;
   for (int round = -1; round < rounds; ++round) {
     double lean_ms = 0, full_ms = 0;
-    if (round % 2 == 0)
-      lean_ms = lean(), full_ms = full();
-    else
-      full_ms = full(), lean_ms = lean();
+    if (round % 2 == 0) {
+      lean_ms = lean();
+      full_ms = full();
+    } else {
+      full_ms = full();
+      lean_ms = lean();
+    }
     if (round < 0) continue;  // warm-up
-    left_out.push_back(lean_ms), done.push_back(full_ms), saved.push_back(100 * (1 - lean_ms / full_ms));
+    left_out.push_back(lean_ms);
+    done.push_back(full_ms);
+    saved.push_back(100 * (1 - lean_ms / full_ms));
   }
   const auto [lowest, highest] = std::minmax_element(saved.begin(), saved.end());
   fmt::print("{},{},{:.4f},{:.4f},{:.1f},{:.1f},{:.1f}\n", name, item, median(left_out), median(done), median(saved),

@@ -29,7 +29,8 @@ void fit_camera(BenchScene& scene) {
     double lowest = 1.0, highest = -1.0;
     for (const glm::dvec2& point : points) {
       const double y = point.x / ((distance - point.y) * half_height);
-      lowest = std::min(lowest, y), highest = std::max(highest, y);
+      lowest = std::min(lowest, y);
+      highest = std::max(highest, y);
     }
     return (highest - lowest) / 2.0;
   };

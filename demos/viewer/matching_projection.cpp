@@ -28,8 +28,10 @@ Window window_at(const Projection& projection, double distance, double aspect) {
 template <typename Planes>
 Planes widened_planes(Planes planes, double aspect) {
   const Window window = fitted({planes.left, planes.right, planes.bottom, planes.top}, Fit::widen, aspect).window;
-  planes.left = window.left, planes.right = window.right;
-  planes.bottom = window.bottom, planes.top = window.top;
+  planes.left = window.left;
+  planes.right = window.right;
+  planes.bottom = window.bottom;
+  planes.top = window.top;
   return planes;
 }
 

@@ -99,7 +99,10 @@ const std::vector<BezierPatch>& teapot_patches() {
     std::vector<BezierPatch> patches;
     for (const Profile& profile : profiles) {
       BezierPatch patch = revolve(profile);
-      for (int quarter = 0; quarter < 4; ++quarter, patch = quarter_turn(patch)) patches.push_back(patch);
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        patches.push_back(patch);
+        patch = quarter_turn(patch);
+      }
     }
     for (const HalfTube& tube : tubes)
       for (const double side : {-1.0, 1.0}) {

@@ -33,10 +33,16 @@ class FrameBuffer {
 
   // channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE binary16. Colour is premultiplied by alpha. Whoever can write to a
   // plane may: no tile counts as blank from then on.
-  std::uint16_t* color(int channel) { return forget_blank_tiles(), color_[channel].get(); }
+  std::uint16_t* color(int channel) {
+    forget_blank_tiles();
+    return color_[channel].get();
+  }
   const std::uint16_t* color(int channel) const { return color_[channel].get(); }
   // Positive distance along the view axis; background 1e10.
-  float* depth() { return forget_blank_tiles(), depth_.get(); }
+  float* depth() {
+    forget_blank_tiles();
+    return depth_.get();
+  }
   const float* depth() const { return depth_.get(); }
 
   // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour plane and the background's depth.

@@ -27,13 +27,19 @@ Sum two_sum(double a, double b) {
 
 glm::dmat4 transform_to(const Convention& convention, const glm::dmat4& own) {
   glm::dmat4 m = own;
-  if (convention.handedness == Handedness::left) negate_column(m, 2), negate_row(m, 2);
+  if (convention.handedness == Handedness::left) {
+    negate_column(m, 2);
+    negate_row(m, 2);
+  }
   return convention.vectors == VectorForm::row ? glm::transpose(m) : m;
 }
 
 glm::dmat4 transform_from(const Convention& convention, const glm::dmat4& foreign) {
   glm::dmat4 m = convention.vectors == VectorForm::row ? glm::transpose(foreign) : foreign;
-  if (convention.handedness == Handedness::left) negate_column(m, 2), negate_row(m, 2);
+  if (convention.handedness == Handedness::left) {
+    negate_column(m, 2);
+    negate_row(m, 2);
+  }
   return m;
 }
 

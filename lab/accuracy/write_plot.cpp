@@ -48,7 +48,10 @@ Panel make_panel(const OperationReport& operation, const Family& family) {
   Panel panel{&operation, &family, {}};
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   const auto include = [&](double error) {
-    if (error > 0) smallest = std::min(smallest, error), largest = std::max(largest, error);
+    if (error > 0) {
+      smallest = std::min(smallest, error);
+      largest = std::max(largest, error);
+    }
   };
   for (const Result& result : operation.results) {
     const double error = result.figures[measure];

@@ -114,7 +114,10 @@ class Comparison {
         add(d->color_spacing, value, half_spacing(value.exact));
       }
     }
-    if (object && other) ++object->other_color, ++result_.total.other_color;
+    if (object && other) {
+      ++object->other_color;
+      ++result_.total.other_color;
+    }
   }
 
   void compare_depth(int x, int y, std::size_t at, const Visible<double>& exact, const ShownPixel& shown,
@@ -173,13 +176,16 @@ FrameDifference compare_with_fp64(const Scene& scene, const FramePlan& plan, con
   check_comparable(plan);
   const std::size_t size = static_cast<std::size_t>(plan.width) * plan.height;
   FrameDifference result;
-  result.frame = plan.frame, result.truth = truth;
-  result.width = plan.width, result.height = plan.height;
+  result.frame = plan.frame;
+  result.truth = truth;
+  result.width = plan.width;
+  result.height = plan.height;
   for (std::vector<float>* plane :
        {&result.red, &result.green, &result.blue, &result.alpha, &result.depth, &result.mask})
     plane->resize(size);
   result.shown.resize(size);
-  result.has_color = plan.color, result.has_depth = plan.depth;
+  result.has_color = plan.color;
+  result.has_depth = plan.depth;
   if (truth == Truth::on_grid)
     Comparison<OnGrid<double>>(scene, plan, pixels, shown, result).run();
   else

@@ -28,7 +28,8 @@ struct PreciseCamera {
         eye_to_clip(
             to_real<Real>(projection_matrix(camera.projection, static_cast<double>(image_width) / image_height))) {
     const RasterGrid grid(width, height);
-    guard_x = Real(grid.guard_x), guard_y = Real(grid.guard_y);
+    guard_x = Real(grid.guard_x);
+    guard_y = Real(grid.guard_y);
   }
 
   // The point of eye space at `distance` that shows at the centre of pixel (px, py).

@@ -80,7 +80,8 @@ PreciseVertex<Real> make_vertex(const PreciseObject<Real>& object, const Matrix<
   PreciseVertex<Real> v{};
   v.position =
       shape ? to_real<Real>((*shape)[i]) : morphed<Real>(mesh, mesh.positions, &MorphTarget::positions, weights, i);
-  v.x = row_times_point(object_to_clip[0], v.position), v.y = row_times_point(object_to_clip[1], v.position);
+  v.x = row_times_point(object_to_clip[0], v.position);
+  v.y = row_times_point(object_to_clip[1], v.position);
   v.w = row_times_point(object_to_clip[3], v.position);
   v.distance = -row_times_point(object.object_to_eye[2], v.position);
   if (object.shading == Shading::smooth) {

@@ -20,9 +20,14 @@ class ScreenLine {
     const Coordinate wide = b.x < a.x ? Coordinate(a.x - b.x) : Coordinate(b.x - a.x);
     const Coordinate high = b.y < a.y ? Coordinate(a.y - b.y) : Coordinate(b.y - a.y);
     steep_ = high > wide;
-    if (steep_ ? b.y < a.y : b.x < a.x) std::swap(a, b), std::swap(a_, b_);
-    start_ = steep_ ? a.y : a.x, run_ = steep_ ? high : wide;
-    across_ = steep_ ? a.x : a.y, rise_ = steep_ ? Coordinate(b.x - a.x) : Coordinate(b.y - a.y);
+    if (steep_ ? b.y < a.y : b.x < a.x) {
+      std::swap(a, b);
+      std::swap(a_, b_);
+    }
+    start_ = steep_ ? a.y : a.x;
+    run_ = steep_ ? high : wide;
+    across_ = steep_ ? a.x : a.y;
+    rise_ = steep_ ? Coordinate(b.x - a.x) : Coordinate(b.y - a.y);
   }
 
   std::optional<Hit<Real>> hit(int x, int y) const {

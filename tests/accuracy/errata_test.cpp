@@ -125,7 +125,10 @@ TEST(Errata, W15_PerspectiveKeepsNoProportions) {
 TEST(Errata, W16_TheTargetIsABox) {
   glm::vec3 low(1e9f), high(-1e9f);
   const Mesh solid = make_solid("pyramid_to_cube");
-  for (const glm::vec3& p : solid.targets.at(0).positions) low = glm::min(low, p), high = glm::max(high, p);
+  for (const glm::vec3& p : solid.targets.at(0).positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
   EXPECT_EQ(high - low, glm::vec3(100, 100, 70)) << "neither a square nor a cube";
 }
 

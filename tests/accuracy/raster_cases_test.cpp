@@ -210,7 +210,10 @@ TEST(ExtremeCase, PerspectiveInterpolationOfPixels) {
   FramePlan plan = perspective_plan(1, 1);
   plan.draws.resize(1);
   Draw& draw = plan.draws[0];
-  draw.mesh = &mesh, draw.shading = Shading::unlit, draw.vertex_colors = true, draw.base_color = {1, 1, 1, 1};
+  draw.mesh = &mesh;
+  draw.shading = Shading::unlit;
+  draw.vertex_colors = true;
+  draw.base_color = {1, 1, 1, 1};
   reference::Visibility visible;
   visible.samples = {{.depth = 0.5f, .key = 0, .order = 0, .draw = 0, .primitive = 0, .piece = reference::no_piece}};
   Random random(29);
@@ -221,7 +224,8 @@ TEST(ExtremeCase, PerspectiveInterpolationOfPixels) {
     long long x[3], y[3], area[3];
     const long long reach = 256LL << (inside % 14);
     for (int i = 0; i < 3; ++i) {
-      x[i] = random.integer_in(-reach, reach), y[i] = random.integer_in(-reach, reach);
+      x[i] = random.integer_in(-reach, reach);
+      y[i] = random.integer_in(-reach, reach);
       corners[i].screen = {static_cast<int>(x[i] + 128), static_cast<int>(y[i] + 128), 0,
                            static_cast<float>(std::pow(10.0, random.in(-3, 3)))};
     }
@@ -232,11 +236,14 @@ TEST(ExtremeCase, PerspectiveInterpolationOfPixels) {
     Real sum = 0, total = 0;
     float largest = 0;
     for (int i = 0; i < 3; ++i) {
-      attribute[i] = random.float_in(one_sign ? 0.25 : -1, 1), largest = std::max(largest, std::abs(attribute[i]));
+      attribute[i] = random.float_in(one_sign ? 0.25 : -1, 1);
+      largest = std::max(largest, std::abs(attribute[i]));
       corners[i].color = glm::vec4(attribute[i]);
-      areas[i] = static_cast<float>(area[i]), inverse_w[i] = corners[i].screen.inverse_w;
+      areas[i] = static_cast<float>(area[i]);
+      inverse_w[i] = corners[i].screen.inverse_w;
       const Real exact = Real(area[i]) * inverse_w[i];
-      sum += exact * attribute[i], total += exact;
+      sum += exact * attribute[i];
+      total += exact;
     }
     const Real value = sum / total;
     const double bound = one_sign ? 5 * ulp32(value) : 5 * u32 * largest;

@@ -59,7 +59,10 @@ double share_of(std::size_t mass) { return 1 + static_cast<double>(mass) / 8; }
 
 SpringNet stiff_chain(std::size_t masses) {
   SpringNet net;
-  net.masses = masses, net.anchor = 1, net.damping = 2, net.stiffness_damping = 1e-8;
+  net.masses = masses;
+  net.anchor = 1;
+  net.damping = 2;
+  net.stiffness_damping = 1e-8;
   for (std::uint32_t i = 0; i + 1 < masses; ++i)
     net.edges.push_back({i, i + 1, std::pow(10.0, 12.0 * i / static_cast<double>(masses - 2))});
   return net;
@@ -96,8 +99,10 @@ std::vector<std::vector<Exact>> chain_motion(const SpringNet& net, int frames) {
     m(n + i, constant) = Real(net.anchor) * share_of(i);
   }
   for (const SpringNet::Edge& edge : net.edges) {
-    add_stiffness(edge.a, edge.a, edge.stiffness), add_stiffness(edge.b, edge.b, edge.stiffness);
-    add_stiffness(edge.a, edge.b, -edge.stiffness), add_stiffness(edge.b, edge.a, -edge.stiffness);
+    add_stiffness(edge.a, edge.a, edge.stiffness);
+    add_stiffness(edge.b, edge.b, edge.stiffness);
+    add_stiffness(edge.a, edge.b, -edge.stiffness);
+    add_stiffness(edge.b, edge.a, -edge.stiffness);
   }
   m(constant, ramp) = 1;
   for (Real& entry : m.entries) entry /= 24;  // time in frames

@@ -39,7 +39,8 @@ int derivative(realtype t, N_Vector y, N_Vector out, void* user) {
   }
   for (const SpringNet::Edge& edge : p.net.edges) {
     const double force = edge.stiffness * ((x[edge.a] - x[edge.b]) + beta * (v[edge.a] - v[edge.b]));
-    dv[edge.a] -= force, dv[edge.b] += force;
+    dv[edge.a] -= force;
+    dv[edge.b] += force;
   }
   return 0;
 }
@@ -58,8 +59,10 @@ int jacobian(realtype, N_Vector, N_Vector, SUNMatrix m, void* user, N_Vector, N_
     SM_ELEMENT_D(m, n + i, n + i) -= p.net.damping;
   }
   for (const SpringNet::Edge& edge : p.net.edges) {
-    add(edge.a, edge.a, edge.stiffness), add(edge.b, edge.b, edge.stiffness);
-    add(edge.a, edge.b, -edge.stiffness), add(edge.b, edge.a, -edge.stiffness);
+    add(edge.a, edge.a, edge.stiffness);
+    add(edge.b, edge.b, edge.stiffness);
+    add(edge.a, edge.b, -edge.stiffness);
+    add(edge.b, edge.a, -edge.stiffness);
   }
   return 0;
 }
@@ -84,7 +87,8 @@ std::vector<std::vector<double>> integrate(Problem problem, const Track& weight,
   CVodeSetJacFn(cvode, jacobian);
   std::vector<std::vector<double>> motion = {std::vector<double>(n, 0.0)};
   for (int k = 0; k < frames; ++k) {
-    problem.start = k / 24.0, problem.from = *weight.key_value(static_cast<std::size_t>(k));
+    problem.start = k / 24.0;
+    problem.from = *weight.key_value(static_cast<std::size_t>(k));
     problem.slope = 24 * (*weight.key_value(static_cast<std::size_t>(k) + 1) - problem.from);
     const double end = (k + 1) / 24.0;
     CVodeReInit(cvode, problem.start, y);

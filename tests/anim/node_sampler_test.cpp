@@ -56,7 +56,9 @@ TEST(NodeSampler, GivesTheNumbersOfTheWholeStateInAnyOrder) {
       if (sampler.is_still(node)) {
         ASSERT_EQ(sampler.still_to_world(node), state.node_to_world[node]);
       }
-      hidden += !sampler.is_visible(node), still += sampler.is_still(node), moving += !sampler.is_still(node);
+      hidden += !sampler.is_visible(node);
+      still += sampler.is_still(node);
+      moving += !sampler.is_still(node);
     }
   }
   EXPECT_GT(hidden, 100);
@@ -67,7 +69,8 @@ TEST(NodeSampler, GivesTheNumbersOfTheWholeStateInAnyOrder) {
 TEST(NodeSampler, NodesBelowOneThatMovesAreNotStill) {
   Timeline timeline;
   timeline.nodes.resize(3);
-  timeline.nodes[0].parent = 2, timeline.nodes[1].parent = -1;
+  timeline.nodes[0].parent = 2;
+  timeline.nodes[1].parent = -1;
   timeline.nodes[2].scale_track = Track(Interpolation::step, 3, false, 25'000'000, {0}, {1, 2, 3});
   NodeSampler sampler(timeline.nodes);
   EXPECT_FALSE(sampler.is_still(0));
@@ -79,7 +82,10 @@ TEST(NodeSampler, AChainOfAMillionMovingNodes) {
   Timeline timeline;
   constexpr int depth = 1'000'000;
   timeline.nodes.resize(depth);
-  for (int i = 0; i < depth; ++i) timeline.nodes[i].parent = i - 1, timeline.nodes[i].translation = {1, 0, 0};
+  for (int i = 0; i < depth; ++i) {
+    timeline.nodes[i].parent = i - 1;
+    timeline.nodes[i].translation = {1, 0, 0};
+  }
   timeline.nodes[0].translation_track =
       Track(Interpolation::linear, 3, false, 25'000'000, {0, 10'000'000}, {1, 0, 0, 11, 0, 0});
   NodeSampler sampler(timeline.nodes);
@@ -92,7 +98,8 @@ TEST(NodeSampler, AnOverflowIsAnErrorOfWhoAsksForIt) {
   Timeline timeline;
   timeline.nodes.resize(3);
   timeline.nodes[0].scale = timeline.nodes[1].scale = glm::dvec3(1e300);
-  timeline.nodes[1].parent = 0, timeline.nodes[1].name = "huge";
+  timeline.nodes[1].parent = 0;
+  timeline.nodes[1].name = "huge";
   NodeSampler sampler(timeline.nodes);
   sampler.go_to(0);
   EXPECT_NO_THROW(sampler.to_world(0));

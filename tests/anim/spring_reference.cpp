@@ -64,7 +64,8 @@ ExactState spring_state(const Spring& spring, const SpringState& from, const Cub
   const Real stiffness = omega * omega * t * t, damping = 2 * zeta * omega * t;
   Matrix m{};
   m[0][1] = 1;
-  m[1][0] = -stiffness, m[1][1] = -damping;
+  m[1][0] = -stiffness;
+  m[1][1] = -damping;
   Real power = 1;
   for (std::size_t i = 0; i < 4; ++i) {
     m[1][2 + i] = stiffness * Real(target[i]) * power;

@@ -180,7 +180,10 @@ TEST(SpringTrack, RangeContainsWhatItOvershoots) {
 TEST(SpringTrack, RangeContainsResonance) {
   std::vector<std::int64_t> ticks;
   std::vector<double> values;
-  for (std::int64_t key = 0; key < 40; ++key) ticks.push_back(key * 500), values.push_back(key % 2 ? 1 : 0);
+  for (std::int64_t key = 0; key < 40; ++key) {
+    ticks.push_back(key * 500);
+    values.push_back(key % 2 ? 1 : 0);
+  }
   const Track track = Track::on_spring(spring_of_frequency(1, 0), Interpolation::step, 1, false, 1000, ticks, values);
   double most = 0;
   for (std::int64_t tick = 0; tick < 25'000; ++tick) most = std::max(most, at(track, tick));

@@ -33,7 +33,9 @@ SpringNet ladder(std::size_t rungs, double ratio, std::uint64_t seed) {
   for (std::size_t i = 0; i < rungs; ++i) {
     tie(2 * i, 2 * i + 1);
     if (i + 1 == rungs) break;
-    tie(2 * i, 2 * i + 2), tie(2 * i + 1, 2 * i + 3), tie(2 * i, 2 * i + 3);
+    tie(2 * i, 2 * i + 2);
+    tie(2 * i + 1, 2 * i + 3);
+    tie(2 * i, 2 * i + 3);
   }
   return net;
 }
@@ -106,7 +108,8 @@ TEST(VibrationModes, AreOrthonormalAndSwingAlone) {
 // one's distance from the anchor.
 TEST(VibrationModes, SmallOnesAreAccurateBesideLargeOnes) {
   SpringNet net;
-  net.masses = 3, net.anchor = 1e-6;
+  net.masses = 3;
+  net.anchor = 1e-6;
   net.edges = {{0, 1, 1e12}, {1, 2, 1e-3}};
   std::vector<double> stiffness = find_modes(net).stiffness;
   std::sort(stiffness.begin(), stiffness.end());
@@ -120,7 +123,8 @@ TEST(TrBdf2, EnergyNeverGrowsWithoutInput) {
   for (const double ratio : {1.0, 1e4, 1e8, 1e12})
     for (const double damping : {0.0, 2.0}) {
       SpringNet net = ladder(12, ratio, 4);
-      net.damping = damping, net.stiffness_damping = damping * 1e-9;
+      net.damping = damping;
+      net.stiffness_damping = damping * 1e-9;
       const Displacements rest = random_displacements(random, net.masses);
       NetState state{random_displacements(random, net.masses), random_displacements(random, net.masses)};
       for (const double h : {1.0 / 24, 1.0 / 384}) {
@@ -142,7 +146,8 @@ TEST(TrBdf2, EnergyNeverGrowsWithoutInput) {
 // The trapezoidal rule alone keeps what is too fast for it ringing; TR-BDF2 has no trace of it after a few steps.
 TEST(TrBdf2, DampsWhatIsTooFastForItsStep) {
   SpringNet net;
-  net.masses = 2, net.anchor = 1;
+  net.masses = 2;
+  net.anchor = 1;
   net.edges = {{0, 1, 1e12}};
   const Displacements rest(2, glm::dvec3(0.0));
   NetState state{{glm::dvec3(1), glm::dvec3(-1)}, rest};
@@ -153,7 +158,9 @@ TEST(TrBdf2, DampsWhatIsTooFastForItsStep) {
 
 TEST(TrBdf2, IsOfSecondOrder) {
   SpringNet net;
-  net.masses = 1, net.anchor = 90, net.damping = 1;
+  net.masses = 1;
+  net.anchor = 90;
+  net.damping = 1;
   const Displacements rest(1, glm::dvec3(0.0));
   const double omega = std::sqrt(90.0);
   const double exact = SpringStep({omega, 0.5 / omega}, 1).apply({1, 0}, {0, 0, 0, 0}).position;

@@ -166,7 +166,9 @@ TEST(ProjectPoints, PointsAtOrBehindTheEyeHaveNoImage) {
   in.arrays[0] = {6, 2, -2, 6, 2, 0, 6, 2, -0.0f, 6, 2, 2, 6, 2, std::nanf("")};
   transform_vertices(shared_session(), Transform<float>::project(projection), in.vertices(), out.vertices());
   std::vector<float> expected(15, infinity);
-  expected[0] = 3, expected[1] = 1, expected[2] = -1;
+  expected[0] = 3;
+  expected[1] = 1;
+  expected[2] = -1;
   EXPECT_EQ(out.arrays[0], expected);
 }
 

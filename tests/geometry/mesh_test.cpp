@@ -46,7 +46,11 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::n
 INSTANTIATE_TEST_SUITE_P(
     All, BrokenMesh,
     ::testing::Values(
-        Broken{"Empty", [](Mesh& m) { m.positions.clear(), m.triangles.clear(); },
+        Broken{"Empty",
+               [](Mesh& m) {
+                 m.positions.clear();
+                 m.triangles.clear();
+               },
                "positions is empty; a mesh needs at least one vertex"},
         Broken{"NanPosition", [](Mesh& m) { m.positions[1].y = nan; },
                "positions[1] holds nan; every component must be finite"},

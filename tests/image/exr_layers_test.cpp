@@ -18,7 +18,10 @@ TEST(ExrLayers, AnotherReaderFindsEveryChannelAndValue) {
   const TemporaryFolder folder;
   constexpr int width = 7, height = 5;
   std::vector<float> red, mask;
-  for (int i = 0; i < width * height; ++i) red.push_back(0.1f * static_cast<float>(i)), mask.push_back(float(i % 4));
+  for (int i = 0; i < width * height; ++i) {
+    red.push_back(0.1f * static_cast<float>(i));
+    mask.push_back(float(i % 4));
+  }
   const std::string path = folder / "layers.exr";
   write_exr_layers(path, width, height, {{"R", red.data()}, {"mask", mask.data()}});
 

@@ -74,8 +74,10 @@ int main(int argument_count, char** arguments) {
       ++misses;
       fmt::print("{}({:a}) = {:a}, computed {:a}\n", function.name, x, exact, computed);
     }
-    if (const double bits = function.bits_to_tie(x); bits < 200 && bits > hardest_bits)
-      hardest = x, hardest_bits = bits;
+    if (const double bits = function.bits_to_tie(x); bits < 200 && bits > hardest_bits) {
+      hardest = x;
+      hardest_bits = bits;
+    }
   }
   fmt::print("{}: {} arguments, {} misses; {} decided by MPFR; hardest {:a}: 2^-{} ulp from a middle\n", function.name,
              count, misses, asked, hardest, hardest_bits);

@@ -40,7 +40,10 @@ struct Drawing {
 };
 
 void set_window(Drawing& d, const Real& left, const Real& right, const Real& bottom, const Real& top) {
-  d.left = left, d.right = right, d.bottom = bottom, d.top = top;
+  d.left = left;
+  d.right = right;
+  d.bottom = bottom;
+  d.top = top;
 }
 
 // Parallel: the board through (0, 0, 0), the camera 10 before it.

@@ -58,7 +58,8 @@ TEST(SevenStepRotation, StepsDoWhatTheySay) {
   expect_point(glm::dvec3(after(1)), {4, 0, std::sqrt(153.0)}, 16 * 13 * u64, "in the xz plane");
   expect_point(glm::dvec3(after(2)), {0, 0, 13}, 32 * 13 * u64, "on z");
   expect_point(glm::dvec3(after(3)), {0, 0, 13}, 32 * 13 * u64, "turned about itself");
-  after(4), after(5);
+  after(4);
+  after(5);
   expect_point(glm::dvec3(after(6)), to, 64 * 13 * u64, "back");
   const std::string text = all.to_string();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);

@@ -41,7 +41,8 @@ TEST(Window, WideningKeepsAllOfTheWindow) {
   for (int i = 0; i < 2000; ++i) {
     const double aspect = std::pow(10.0, random.in(-2, 2));
     Window w{random.in(-5, 5), 0, random.in(-5, 5), 0};
-    w.right = w.left + std::pow(10.0, random.in(-3, 3)), w.top = w.bottom + std::pow(10.0, random.in(-3, 3));
+    w.right = w.left + std::pow(10.0, random.in(-3, 3));
+    w.top = w.bottom + std::pow(10.0, random.in(-3, 3));
     const FittedWindow f = fitted(w, Fit::widen, aspect);
     // Half an ulp of each side, of the lengths, and of the product.
     const double reach = std::max(

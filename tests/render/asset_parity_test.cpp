@@ -21,7 +21,8 @@ std::string asset(const std::string& name) { return std::string(std::getenv("MOR
 void expect_parity_of_every_frame(const std::string& path) {
   LoadOptions options;
   options.allow_outside = true;
-  options.width = 240, options.height = 135;
+  options.width = 240;
+  options.height = 135;
   const Scene scene = load_scene(path, options);
   const Planner planner(scene);
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();

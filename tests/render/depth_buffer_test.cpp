@@ -199,7 +199,8 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
       Exact x[3], y[3], c[3];
       for (int k = 0; k < 3; ++k) {
         const reference::Vertex& v = vertices[3 * sample.primitive + k];
-        x[k] = v.screen.x, y[k] = v.screen.y;
+        x[k] = v.screen.x;
+        y[k] = v.screen.y;
         c[k] = closeness(plan, far, plan.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
       }
       const Exact px = i % 128 * 256 + 128, py = i / 128 * 256 + 128;

@@ -141,7 +141,8 @@ TEST(DepthFormat, TiesOfNeighboursAreThoseOfTheCatalogue) {
     for (int i = 0; i < pairs; ++i) {
       const double d = distance();
       const double near = stored_depth(format, catalogue, d), far = stored_depth(format, catalogue, d * (1 + 1e-5));
-      ties += near == far, inversions += is_nearer(format, far, near);
+      ties += near == far;
+      inversions += is_nearer(format, far, near);
     }
     EXPECT_NEAR(static_cast<double>(ties) / pairs, share, 0.01) << name_of(format);
     EXPECT_EQ(inversions, 0) << name_of(format);
@@ -161,7 +162,8 @@ TEST(DepthFormat, DepthBucketReversedFloatHasNoTieAtAGapOf2ToTheMinus21) {
     // The next float whose gap is at least 2^-21.
     auto behind = static_cast<float>(w * (1 + 0x1p-21));
     if (behind < w * (1 + 0x1p-21)) behind = std::nextafter(behind, std::numeric_limits<float>::infinity());
-    ties += rendered(0.1f, w) == rendered(0.1f, behind), inversions += rendered(0.1f, w) < rendered(0.1f, behind);
+    ties += rendered(0.1f, w) == rendered(0.1f, behind);
+    inversions += rendered(0.1f, w) < rendered(0.1f, behind);
     const auto clear = static_cast<float>(w * (1 + 1e-3));
     naive_inversions += naive_forward(0.1f, 1e5f, clear) < naive_forward(0.1f, 1e5f, w);
   }

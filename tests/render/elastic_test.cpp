@@ -28,7 +28,9 @@ Track growing(const Timeline& timeline) {
 
 Elastic soft(double stiffness) {
   Elastic elastic;
-  elastic.anchor = 500, elastic.stiffness = stiffness, elastic.damping = 3;
+  elastic.anchor = 500;
+  elastic.stiffness = stiffness;
+  elastic.damping = 3;
   return elastic;
 }
 
@@ -89,7 +91,8 @@ TEST(ElasticObject, TwoOfOneMeshMoveEachOnItsOwn) {
   builder.look({0, 0, 6});
   builder.add(make_sphere_to_cube({12, 8}), Shading::smooth, place({-1.5, 0, 0}));
   Scene scene = builder.scene();
-  scene.objects.push_back(scene.objects[0]), scene.objects[1].node = 1;
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects[1].node = 1;
   scene.timeline.nodes.push_back(scene.timeline.nodes[0]);
   scene.timeline.nodes[1].static_transform = place({1.5, 0, 0});
   scene.timeline.weights.push_back(scene.timeline.weights[0]);
@@ -138,7 +141,8 @@ TEST(ElasticObject, AreSeenWhereTheirSpringsThrowThem) {
   builder.look({0, 0, 4});
   Mesh mesh = make_cube();
   MorphTarget lifted;
-  lifted.name = "lifted", lifted.form = TargetForm::delta;
+  lifted.name = "lifted";
+  lifted.form = TargetForm::delta;
   lifted.positions.assign(mesh.positions.size(), glm::vec3(0, 5, 0));
   mesh.targets = {lifted};
   builder.add(mesh, Shading::flat, place({0, -4.6, 0}, 0.3));

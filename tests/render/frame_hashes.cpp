@@ -25,7 +25,10 @@ int main(int count, char** values) {
     const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
     const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
     for (test::TestScene& scene : test::test_scenes(width, height)) {
-      if (format) scene.scene.image.depth_format = *format, scene.scene.accuracy_pixels = 1e-9;
+      if (format) {
+        scene.scene.image.depth_format = *format;
+        scene.scene.accuracy_pixels = 1e-9;
+      }
       for (const std::int64_t frame : scene.frames) {
         FrameBuffer pixels(width, height, true, true);
         renderer->render(plan_frame(scene.scene, frame), pixels);

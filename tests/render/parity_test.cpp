@@ -55,7 +55,8 @@ TEST(Parity, ChannelsThatWereNotAskedFor) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   for (const auto& [color, depth] : {std::pair{true, false}, {false, true}}) {
     Scene soup = triangle_soup(8, 500, 100, 80);
-    soup.image.color = color, soup.image.depth = depth;
+    soup.image.color = color;
+    soup.image.depth = depth;
     expect_parity(*device, *reference, soup, 0);
   }
 }

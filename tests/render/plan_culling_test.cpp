@@ -59,7 +59,8 @@ TEST(ObjectTree, FindsWhatIsNotOutsideAndNothingElse) {
         const Side side = boxes[i] ? planes.side(*boxes[i]) : Side::touching;
         EXPECT_EQ(found.candidates.contains(i), side != Side::outside) << count << " objects, object " << i;
         EXPECT_EQ(found.inside.contains(i), side == Side::inside) << count << " objects, object " << i;
-        inside += side == Side::inside, outside += side == Side::outside;
+        inside += side == Side::inside;
+        outside += side == Side::outside;
       }
     }
     if (count >= 3000) {

@@ -25,7 +25,8 @@ std::vector<std::string> demo_shots() {
 
 Scene load(const std::string& path) {
   LoadOptions options;
-  options.width = 160, options.height = 90;
+  options.width = 160;
+  options.height = 90;
   return load_scene(path, options);
 }
 

@@ -15,7 +15,8 @@ const Mesh meshes[2];
 
 FramePlan some_plan() {
   FramePlan plan;
-  plan.width = 64, plan.height = 48;
+  plan.width = 64;
+  plan.height = 48;
   plan.lights.push_back({LightKind::point, {1, 2, 3}, {1, 1, 1}, false});
   Draw draw;
   draw.mesh = &meshes[0];

@@ -91,7 +91,9 @@ TEST(LeaveOut, EveryItemIsLeftOutSomewhere) {
     EXPECT_FALSE(whole.keeps_vertices || whole.keeps_blank_tiles) << test.name;
     EXPECT_TRUE(usual.keeps_vertices && usual.keeps_blank_tiles) << test.name;
     objects |= usual.draws.size() < whole.draws.size();
-    clipping |= !usual.clips, divide |= !usual.divides, depth_test |= !usual.tests_depth;
+    clipping |= !usual.clips;
+    divide |= !usual.divides;
+    depth_test |= !usual.tests_depth;
     for (const Draw& draw : whole.draws) {
       EXPECT_EQ(draw.targets.size(), draw.mesh->targets.size()) << test.name;
       for (const ActiveTarget& target : draw.targets) targets |= target.weight == 0.0f;

@@ -53,7 +53,8 @@ class ProjectionPicture : public ::testing::TestWithParam<const char*> {
   void SetUp() override {
     scene_ = load_scene(std::string(MORPHCL_DOCS) + "/projections/" + GetParam() + ".toml");
     ASSERT_EQ(scene_.objects.size(), 1u);
-    width_ = scene_.image.width, height_ = scene_.image.height;
+    width_ = scene_.image.width;
+    height_ = scene_.image.height;
     window_ = reference::picture_window(GetParam(), double{1} * width_ / height_);
   }
   glm::dvec2 pixel_of(const glm::dvec3& corner) const {
@@ -117,7 +118,8 @@ TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
       for (const double dx : {-1.0 / 128, 0.0, 1.0 / 128})
         for (const double dy : {-1.0 / 128, 0.0, 1.0 / 128}) {
           const double distance = distance_at(x + 0.5 + dx, y + 0.5 + dy);
-          nearest = std::min(nearest, distance), farthest = std::max(farthest, distance);
+          nearest = std::min(nearest, distance);
+          farthest = std::max(farthest, distance);
         }
       const double actual = double{picture.depth()[y * picture.row_pitch() + x]};
       if (std::isinf(nearest)) {

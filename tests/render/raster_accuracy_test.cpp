@@ -162,7 +162,8 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   Exact x[3], y[3], depth[3];
   for (int i = 0; i < 3; ++i) {
     ASSERT_EQ(vertices[i].outcode, 0);
-    x[i] = vertices[i].screen.x, y[i] = vertices[i].screen.y;
+    x[i] = vertices[i].screen.x;
+    y[i] = vertices[i].screen.y;
     depth[i] = Exact(plan.near) / Exact(vertices[i].clip.w);
   }
   const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);

@@ -8,7 +8,8 @@ namespace morphcl::test {
 class SceneBuilder {
  public:
   SceneBuilder(int width, int height) {
-    scene_.image.width = width, scene_.image.height = height;
+    scene_.image.width = width;
+    scene_.image.height = height;
     Light key;
     key.vector = {0.4, 0.7, 0.9};
     scene_.timeline.lights.push_back(key);
@@ -33,7 +34,8 @@ class SceneBuilder {
   }
 
   SceneBuilder& look(const glm::dvec3& eye, const glm::dvec3& target = {0, 0, 0}) {
-    scene_.timeline.camera.eye = eye, scene_.timeline.camera.target = target;
+    scene_.timeline.camera.eye = eye;
+    scene_.timeline.camera.target = target;
     return *this;
   }
   SceneBuilder& project(const Projection& projection) {
@@ -46,7 +48,10 @@ class SceneBuilder {
   }
   SceneBuilder& point_light(const glm::dvec3& position, const glm::dvec3& color, bool falloff) {
     Light light;
-    light.kind = LightKind::point, light.vector = position, light.color = color, light.falloff = falloff;
+    light.kind = LightKind::point;
+    light.vector = position;
+    light.color = color;
+    light.falloff = falloff;
     scene_.timeline.lights.push_back(light);
     return *this;
   }

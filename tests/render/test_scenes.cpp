@@ -82,7 +82,8 @@ Scene sub_pixel(int w, int h) {
 Scene mirrored_and_two_sided(int w, int h) {
   SceneBuilder b(w, h);
   glm::dmat4 mirror(1.0);
-  mirror[0][0] = -1.0, mirror[3][0] = -0.8;
+  mirror[0][0] = -1.0;
+  mirror[3][0] = -0.8;
   b.add(make_teapot({6, 6}), Shading::smooth, place({0.8, 0, 0}, 0.6));
   b.add(make_teapot({6, 6}), Shading::smooth, mirror * place({0.4, 0.6, 0}, 0.5), {0.3, 0.8, 0.4, 1}, true);
   b.add(make_teapot({4, 4}), Shading::flat, mirror * place({0.4, -0.6, 0}, 0.5), {0.3, 0.4, 0.9, 1}, true);
@@ -124,7 +125,8 @@ Scene oblique(int w, int h) {
   // Seen from in front along the view axis, from behind along the lines of sight, and the other way round.
   glm::dmat4 turned = place({-1.2, 0.2, 0.2}, 0.5);
   for (const double lean : {0.8, -0.8}) {
-    turned[0][2] = lean, turned[3][1] -= 0.3;
+    turned[0][2] = lean;
+    turned[3][1] -= 0.3;
     b.add(quad(-1, 1, -0.7f, 0.6f, 0), Shading::flat, turned, {0.2, 0.6, 0.9, 1}, true);
   }
   return b.look({0, 0, 3})
@@ -195,7 +197,8 @@ Scene opposed_normals(int w, int h) {
   SceneBuilder b(w, h);
   Mesh mesh = make_sphere({32, 16});
   MorphTarget target;
-  target.name = "inside out", target.form = TargetForm::absolute;
+  target.name = "inside out";
+  target.form = TargetForm::absolute;
   for (const glm::vec3& n : mesh.normals) target.normals.push_back(-n);
   mesh.targets.push_back(target);
   b.add(mesh, Shading::smooth);

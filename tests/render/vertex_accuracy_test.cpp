@@ -200,7 +200,8 @@ TEST(VertexAccuracy, TheDeviceDrawsTheReferencesBits) {
       expect_parity(test.scene, pixels);
     }
   for (Scene scene : hard_scenes()) {
-    scene.image.width = 240, scene.image.height = 135;
+    scene.image.width = 240;
+    scene.image.height = 135;
     scene.accuracy_pixels = 1e9;
     const std::array<double, 3> bounds = plan_frame(scene, 0).draws.at(0).accuracy->bounds;
     for (const double pixels : {bounds[0], bounds[1], bounds[2], 1e-9}) expect_parity(scene, pixels);
@@ -212,7 +213,8 @@ TEST(VertexAccuracy, TheDeviceDrawsTheReferencesBits) {
 TEST(VertexAccuracy, KeptVerticesAreThoseOfTheSameForm) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   Scene scene = far_morph({3e4, 2e3, -5e4});
-  scene.image.width = 240, scene.image.height = 135;
+  scene.image.width = 240;
+  scene.image.height = 135;
   scene.accuracy_pixels = 1e9;
   const std::array<double, 3> bounds = plan_frame(scene, 0).draws.at(0).accuracy->bounds;
   const Planner planner(scene);

@@ -58,7 +58,7 @@ TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
       }
       const std::size_t triangles = std::size_t{corners} - 2;
       ASSERT_LE(triangle + triangles, mesh.triangles.size());
-      for (std::size_t t = 0; t < triangles; ++t, ++triangle)
+      for (std::size_t t = 0; t < triangles; ++t) {
         for (int c = 0; c < 3; ++c) {
           const glm::vec3& p = mesh.positions[mesh.triangles[triangle][c]];
           int nearest = -1;
@@ -66,12 +66,17 @@ TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
           for (const int candidate : expected) {
             const float* q = &positions[3 * static_cast<std::size_t>(candidate)];
             const float distance = glm::distance(p, glm::vec3(q[0], q[1], q[2]));
-            if (distance < best) best = distance, nearest = candidate;
+            if (distance < best) {
+              best = distance;
+              nearest = candidate;
+            }
           }
           ASSERT_GE(nearest, 0);
           actual_corners.insert(nearest);
           expect_within_one_step(p, &positions[3 * static_cast<std::size_t>(nearest)], triangle);
         }
+        ++triangle;
+      }
       EXPECT_EQ(actual_corners.size(), expected.size()) << "before triangle " << triangle;
       first += corners;
     }

@@ -235,8 +235,10 @@ PolygonPicture naively_scanned(const Polygons& polygons, int width, int height) 
       int row = 0;
       while (2 * row + 1 < a.y) ++row;
       float x = static_cast<float>(a.x) + static_cast<float>(2 * row + 1 - a.y) * slope;
-      for (; row < height && 2 * row + 1 < b.y; ++row, x += 2 * slope)
+      for (; row < height && 2 * row + 1 < b.y; ++row) {
         crossings[static_cast<std::size_t>(row)].push_back(x);
+        x += 2 * slope;
+      }
     }
     const auto plane_x = static_cast<float>(polygon.plane.x), plane_y = static_cast<float>(polygon.plane.y),
                plane_z = static_cast<float>(polygon.plane.z), plane_d = static_cast<float>(polygon.plane.d);
@@ -248,11 +250,14 @@ PolygonPicture naively_scanned(const Polygons& polygons, int width, int height) 
       while (static_cast<float>(2 * column + 1) < across.front()) ++column;
       float z = (plane_d - plane_x * static_cast<float>(2 * column + 1) - plane_y * static_cast<float>(2 * row + 1)) /
                 plane_z;
-      for (; column < width && static_cast<float>(2 * column + 1) < across.back();
-           ++column, z -= 2 * plane_x / plane_z) {
+      for (; column < width && static_cast<float>(2 * column + 1) < across.back(); ++column) {
         float& held =
             nearest[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
-        if (z > held) held = z, picture.at(column, row) = static_cast<int>(i);
+        if (z > held) {
+          held = z;
+          picture.at(column, row) = static_cast<int>(i);
+        }
+        z -= 2 * plane_x / plane_z;
       }
     }
   }

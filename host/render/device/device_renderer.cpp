@@ -56,7 +56,11 @@ class DeviceRenderer : public Renderer {
         frame.has_depth() != plan.depth)
       throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
     depth_format_ = plan.depth_buffer.format;
-    if (meshes_.require(plan)) kept_.forget_meshes(), tables_.origin = {}, uploaded_origin_ = {};
+    if (meshes_.require(plan)) {
+      kept_.forget_meshes();
+      tables_.origin = {};
+      uploaded_origin_ = {};
+    }
     make_frame_tables(plan, meshes_, frame.row_pitch(), tables_);
     const FramePlanes planes = planes_.planes(frame);
     layout::FrameConstants constants = tables_.frame;

@@ -62,9 +62,12 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   if (std::size_t{constants.first_group} + constants.group_count > most ||
       std::size_t{constants.first_block} + constants.block_count > most)
     throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
-  constants.positions = positions, constants.normals = mesh.normals, constants.colors = mesh.colors;
+  constants.positions = positions;
+  constants.normals = mesh.normals;
+  constants.colors = mesh.colors;
   constants.pitch = mesh.pitch;
-  constants.indices = primitives.indices, constants.index_pitch = primitives.pitch;
+  constants.indices = primitives.indices;
+  constants.index_pitch = primitives.pitch;
   constants.first_target = static_cast<uint>(tables.targets.size());
   constants.target_count = static_cast<uint>(draw.targets.size());
   constants.precise = static_cast<uint>(tables.precise.size());
@@ -84,17 +87,24 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   layout::FrameConstants frame{};
   const RasterGrid grid(plan.width, plan.height);
   copy(plan.ambient, frame.ambient);
-  frame.scale_x = grid.scale_x, frame.offset_x = grid.offset_x;
-  frame.scale_y = grid.scale_y, frame.offset_y = grid.offset_y;
-  frame.guard_x = grid.guard_x, frame.guard_y = grid.guard_y;
+  frame.scale_x = grid.scale_x;
+  frame.offset_x = grid.offset_x;
+  frame.scale_y = grid.scale_y;
+  frame.offset_y = grid.offset_y;
+  frame.guard_x = grid.guard_x;
+  frame.guard_y = grid.guard_y;
   copy(plan.near_plane, frame.near_plane);
-  frame.near_w = plan.near_w, frame.near_depth = plan.near_depth;
-  frame.far_depth = plan.far_depth, frame.near = plan.near;
+  frame.near_w = plan.near_w;
+  frame.near_depth = plan.near_depth;
+  frame.far_depth = plan.far_depth;
+  frame.near = plan.near;
   copy(plan.ray, frame.ray);
   copy(plan.slant, frame.slant);
-  copy(plan.depth_buffer.far, frame.depth_far), copy(plan.depth_buffer.scale, frame.depth_scale);
+  copy(plan.depth_buffer.far, frame.depth_far);
+  copy(plan.depth_buffer.scale, frame.depth_scale);
   frame.depth_span = plan.depth_buffer.span;
-  frame.width = plan.width, frame.height = plan.height;
+  frame.width = plan.width;
+  frame.height = plan.height;
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
   frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;
   frame.row_pitch = static_cast<uint>(row_pitch);
@@ -105,8 +115,11 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   frame.light_count = static_cast<uint>(plan.lights.size());
   frame.has_point_lights =
       std::any_of(plan.lights.begin(), plan.lights.end(), [](const EyeLight& l) { return l.kind == LightKind::point; });
-  frame.writes_color = plan.color, frame.writes_depth = plan.depth;
-  frame.clips = plan.clips, frame.divides = plan.divides, frame.tests_depth = plan.tests_depth;
+  frame.writes_color = plan.color;
+  frame.writes_depth = plan.depth;
+  frame.clips = plan.clips;
+  frame.divides = plan.divides;
+  frame.tests_depth = plan.tests_depth;
   frame.keeps_blank_tiles = plan.keeps_blank_tiles;
   return frame;
 }
@@ -141,7 +154,10 @@ void add_targets(const Draw& draw, const StoredMesh& mesh, std::vector<layout::T
 }
 
 void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tables) {
-  tables.draws.clear(), tables.targets.clear(), tables.precise.clear(), tables.displaced.clear();
+  tables.draws.clear();
+  tables.targets.clear();
+  tables.precise.clear();
+  tables.displaced.clear();
   tables.any_flat = tables.any_smooth = tables.any_colors = false;
   tables.only_faces = true;
   std::vector<std::pair<float, uint>> distances;
@@ -149,7 +165,10 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
   const Mesh* drawn = nullptr;
   const StoredMesh* mesh = nullptr;
   for (const Draw& draw : plan.draws) {
-    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    if (draw.mesh != drawn) {
+      mesh = &meshes.stored(*draw.mesh);
+      drawn = draw.mesh;
+    }
     distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
     const uint positions = draw.displaced ? meshes.displaced(draw.object) : mesh->positions;
     tables.draws.push_back(make_draw_constants(draw, *mesh, positions, tables));
@@ -170,7 +189,10 @@ void renew_targets(const FramePlan& plan, const MeshStore& meshes, FrameTables& 
   const StoredMesh* mesh = nullptr;
   for (const Draw& draw : plan.draws) {
     if (draw.targets.empty()) continue;
-    if (draw.mesh != drawn) mesh = &meshes.stored(*draw.mesh), drawn = draw.mesh;
+    if (draw.mesh != drawn) {
+      mesh = &meshes.stored(*draw.mesh);
+      drawn = draw.mesh;
+    }
     add_targets(draw, *mesh, tables.targets);
   }
 }

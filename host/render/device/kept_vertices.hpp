@@ -16,10 +16,16 @@ class KeptVertices {
   bool faces_changed(const FrameTables& tables) const;
 
   // Takes the tables of the frame that was drawn and leaves older ones, whose memory can be used again.
-  void remember(FrameTables& tables) { std::swap(drawn_, tables), known_ = true; }
+  void remember(FrameTables& tables) {
+    std::swap(drawn_, tables);
+    known_ = true;
+  }
   void forget() { known_ = false; }
   // Also of the draws, whose meshes are stored elsewhere now.
-  void forget_meshes() { known_ = false, drawn_.origin = {}; }
+  void forget_meshes() {
+    known_ = false;
+    drawn_.origin = {};
+  }
 
  private:
   bool same_view(const FrameTables& tables) const;

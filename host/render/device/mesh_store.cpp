@@ -71,7 +71,10 @@ void write_primitives(const std::vector<Primitive>& primitives, const StoredMesh
 glm::vec3 middle_of(const Mesh& mesh) {
   if (mesh.positions.empty()) return glm::vec3(0.0f);
   glm::vec3 low = mesh.positions.front(), high = low;
-  for (const glm::vec3& position : mesh.positions) low = glm::min(low, position), high = glm::max(high, position);
+  for (const glm::vec3& position : mesh.positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
   return 0.5f * low + 0.5f * high;
 }
 
@@ -113,7 +116,10 @@ MeshStore::MeshStore(std::shared_ptr<Session> session)
 
 bool MeshStore::require(const FramePlan& plan) {
   if (plan.planner != planner_) {
-    stored_.clear(), order_.clear(), wants_edges_.clear(), displaced_.clear();
+    stored_.clear();
+    order_.clear();
+    wants_edges_.clear();
+    displaced_.clear();
     planner_ = plan.planner;
   }
   bool changed = false;
@@ -123,7 +129,8 @@ bool MeshStore::require(const FramePlan& plan) {
     if (draw.displaced) changed |= displaced_.emplace(draw.object, Displaced{draw.mesh}).second;
     const bool lines = draw.shading == Shading::wireframe;
     if (draw.mesh == last && lines == last_lines) continue;  // many objects of one mesh follow each other
-    last = draw.mesh, last_lines = lines;
+    last = draw.mesh;
+    last_lines = lines;
     const auto [entry, added] = wants_edges_.emplace(draw.mesh, lines);
     if (added) order_.push_back(draw.mesh);
     changed |= added || (lines && !entry->second);
@@ -150,7 +157,8 @@ void MeshStore::upload_displaced(const Draw& draw) {
     session_->queue().enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
                                          planes_.size() * sizeof(float), planes_.data());
   });
-  there.uploaded = true, there.hash = draw.displaced->hash;
+  there.uploaded = true;
+  there.hash = draw.displaced->hash;
 }
 
 void MeshStore::upload() {
@@ -166,8 +174,10 @@ void MeshStore::upload() {
     }
     stored_[mesh] = std::move(placed);
   }
-  for (auto& [object, there] : displaced_)
-    there.positions = data.take(3 * std::size_t{stored_.at(there.mesh).pitch}), there.uploaded = false;
+  for (auto& [object, there] : displaced_) {
+    there.positions = data.take(3 * std::size_t{stored_.at(there.mesh).pitch});
+    there.uploaded = false;
+  }
   data.check("vertices", limit);
   indices.check("triangles", limit);
   data_.ensure(data.size() * sizeof(float));

@@ -54,11 +54,13 @@ std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, 
       notes.push_back({item, true, reason(*draw.accuracy, scene.accuracy_pixels), milliseconds(draw, model)});
       continue;
     }
-    ++rest[static_cast<std::size_t>(draw.accuracy->form)], missed += !draw.accuracy->suffices;
+    ++rest[static_cast<std::size_t>(draw.accuracy->form)];
+    missed += !draw.accuracy->suffices;
     others.milliseconds += milliseconds(draw, model);
   }
   if (rest == std::array<std::size_t, 3>{} && unbounded == 0) return notes;
-  others.item = "vertices of the others", others.done = true;
+  others.item = "vertices of the others";
+  others.done = true;
   for (const VertexForm form : vertex_forms)
     if (const std::size_t count = rest[static_cast<std::size_t>(form)])
       others.reason += fmt::format("{}{} in {}", others.reason.empty() ? "" : ", ", count, name_of(form));

@@ -60,7 +60,10 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   MemoryNeed need;
   const auto add = [&need](std::size_t& sum, std::size_t bytes, const char* name) {
     sum += bytes;
-    if (bytes > need.largest_buffer) need.largest_buffer = bytes, need.largest_name = name;
+    if (bytes > need.largest_buffer) {
+      need.largest_buffer = bytes;
+      need.largest_name = name;
+    }
   };
   add(need.meshes, totals.attributes, "vertices and morph targets of the meshes");
   add(need.meshes, totals.indices, "indices of the meshes");

@@ -109,8 +109,11 @@ class Notes {
   void elastic() {
     std::size_t objects = 0, modal = 0, masses = 0;
     for (const Draw& draw : plan_.draws)
-      if (draw.displaced)
-        ++objects, modal += draw.displaced->method == ElasticMethod::modal, masses += draw.displaced->masses;
+      if (draw.displaced) {
+        ++objects;
+        modal += draw.displaced->method == ElasticMethod::modal;
+        masses += draw.displaced->masses;
+      }
     if (objects == 0) return;
     const std::string how = modal == objects ? "in closed form, mode by mode"
                             : modal == 0     ? "in steps of TR-BDF2, 16 a frame"
@@ -122,8 +125,10 @@ class Notes {
   void shading() {
     bool smooth = false, flat = false, tinted = false, lines = false;
     for (const Draw& draw : plan_.draws) {
-      smooth |= draw.shading == Shading::smooth, flat |= draw.shading == Shading::flat;
-      lines |= draw.shading == Shading::wireframe, tinted |= draw.vertex_colors;
+      smooth |= draw.shading == Shading::smooth;
+      flat |= draw.shading == Shading::flat;
+      lines |= draw.shading == Shading::wireframe;
+      tinted |= draw.vertex_colors;
     }
     const bool lit = smooth || flat;
     const char* const no_color = "no colour is asked for";

@@ -71,7 +71,8 @@ ScreenReach find_reach(const FramePlan& plan) {
     bool any = false;
     for (int column = 0; column < reach.tile_columns; ++column) {
       if (!reach.reached[static_cast<std::size_t>(row) * reach.tile_columns + column]) continue;
-      any = true, ++reach.reached_tiles;
+      any = true;
+      ++reach.reached_tiles;
       reach.reached_pixels += static_cast<double>(height) * std::min(layout::tile, plan.width - column * layout::tile);
     }
     if (!any) reach.blank_rows += height;

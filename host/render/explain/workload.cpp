@@ -24,16 +24,19 @@ void count_targets(const Draw& draw, double vertices, Workload& work) {
   for (const ActiveTarget& active : draw.targets) {
     if (active.weight == 0.0f) continue;
     const double moved = vertices * moved_attributes(draw.mesh->targets[active.target], draw);
-    work.target_vertices += moved, work.idle_target_vertices -= moved;
+    work.target_vertices += moved;
+    work.idle_target_vertices -= moved;
   }
 }
 
 void count_elastic(const DisplacedPositions& shape, Workload& work) {
   const auto masses = static_cast<double>(shape.masses);
-  if (shape.method == ElasticMethod::modal)
-    work.modes += masses, work.modal_pairs += masses * masses;
-  else
+  if (shape.method == ElasticMethod::modal) {
+    work.modes += masses;
+    work.modal_pairs += masses * masses;
+  } else {
     work.stepped_masses += masses;
+  }
 }
 
 }  // namespace
@@ -44,7 +47,8 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
   for (const Draw& draw : plan.draws) {
     const auto vertices = static_cast<double>(draw.mesh->positions.size());
     const auto triangles = static_cast<double>(draw.mesh->triangles.size());
-    work.draws += 1, work.vertices += vertices;
+    work.draws += 1;
+    work.vertices += vertices;
     if (draw.accuracy && draw.accuracy->form == VertexForm::pivot) work.pivot_vertices += vertices;
     if (draw.accuracy && draw.accuracy->form == VertexForm::two_float) work.two_float_vertices += vertices;
     count_targets(draw, vertices, work);
@@ -54,11 +58,20 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
       continue;
     }
     work.triangles += triangles;
-    if (draw.shading == Shading::smooth) work.smooth_vertices += vertices, smooth += triangles;
+    if (draw.shading == Shading::smooth) {
+      work.smooth_vertices += vertices;
+      smooth += triangles;
+    }
     if (draw.shading == Shading::flat) work.flat_faces += triangles;
-    if (draw.vertex_colors) work.colored_vertices += vertices, tinted += triangles;
+    if (draw.vertex_colors) {
+      work.colored_vertices += vertices;
+      tinted += triangles;
+    }
   }
-  if (work.triangles > 0) work.smooth_share = smooth / work.triangles, work.tinted_share = tinted / work.triangles;
+  if (work.triangles > 0) {
+    work.smooth_share = smooth / work.triangles;
+    work.tinted_share = tinted / work.triangles;
+  }
   work.lights = static_cast<double>(plan.lights.size());
   work.pixels = static_cast<double>(plan.width) * plan.height;
   work.reached_pixels = reach.reached_pixels;

@@ -23,7 +23,9 @@ class DrawMemory {
   bool look(const View& view) {
     const bool same = view == view_;
     if (!same) draws_.clear();
-    view_ = view, at_ = 0, changed_ = !same;
+    view_ = view;
+    at_ = 0;
+    changed_ = !same;
     return same;
   }
   // The draw that an object whose node is still had under this view, or null. Objects are asked for in ascending order.

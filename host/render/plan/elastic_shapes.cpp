@@ -36,7 +36,9 @@ void add_edges(const Mesh& mesh, const WeldedMesh& welded, const Elastic& elasti
 SpringNet spring_net_of(const Mesh& mesh, const WeldedMesh& welded, const Elastic& elastic) {
   SpringNet net;
   net.masses = welded.vertex_of_point.size();
-  net.anchor = elastic.anchor, net.damping = elastic.damping, net.stiffness_damping = elastic.edge_damping;
+  net.anchor = elastic.anchor;
+  net.damping = elastic.damping;
+  net.stiffness_damping = elastic.edge_damping;
   add_edges(mesh, welded, elastic, net);
   return net;
 }
@@ -90,8 +92,10 @@ std::shared_ptr<const DisplacedPositions> ElasticShapes::at(std::size_t object, 
   const XXH128_hash_t hash = XXH3_128bits(shape->positions.data(), shape->positions.size() * sizeof(glm::vec3));
   shape->hash = {hash.low64, hash.high64};
   shape->box = box_of(shape->positions);
-  shape->method = body.body->method(), shape->masses = displacements_.size();
-  body.frame = frame, body.shape = shape;
+  shape->method = body.body->method();
+  shape->masses = displacements_.size();
+  body.frame = frame;
+  body.shape = shape;
   return shape;
 }
 

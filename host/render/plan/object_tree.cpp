@@ -84,7 +84,10 @@ void ObjectTree::visit(std::size_t level, std::size_t at, const HalfSpaces& view
   if (side == Side::outside) return;
   if (side == Side::inside || level == 0) {
     std::size_t first = at, last = at + 1;
-    for (std::size_t i = 0; i < level; ++i) first *= arity, last *= arity;
+    for (std::size_t i = 0; i < level; ++i) {
+      first *= arity;
+      last *= arity;
+    }
     for (std::size_t i = first; i < std::min(last, order_.size()); ++i) {
       found.candidates.insert(order_[i]);
       if (side == Side::inside) found.inside.insert(order_[i]);

@@ -88,8 +88,10 @@ bool same_targets(const ActiveTargets& a, const ActiveTargets& b) {
 void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FramePlan& plan) {
   plan.parallel = volume.parallel;
   plan.near_plane = volume.near_plane;
-  plan.near_w = volume.near_w, plan.near_depth = volume.near_depth;
-  plan.far_depth = volume.far_depth, plan.near = volume.near;
+  plan.near_w = volume.near_w;
+  plan.near_depth = volume.near_depth;
+  plan.far_depth = volume.far_depth;
+  plan.near = volume.near;
   // x_ndc = (P00 x + P02 z + P03) / w, and z = -d: solved for the eye's x at distance d. P02 is a shift of the window
   // in perspective, the slant of the projectors in parallel projections.
   const glm::dmat4& ndc = volume.eye_to_ndc;
@@ -159,9 +161,12 @@ void Planner::Impl::add_light(const LightState& light, FramePlan& plan) const {
 ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   const Timeline& timeline = scene.timeline;
   nodes.go_to(tick);
-  plan.planner = number, plan.frame = frame;
-  plan.width = scene.image.width, plan.height = scene.image.height;
-  plan.color = scene.image.color, plan.depth = scene.image.depth;
+  plan.planner = number;
+  plan.frame = frame;
+  plan.width = scene.image.width;
+  plan.height = scene.image.height;
+  plan.color = scene.image.color;
+  plan.depth = scene.image.depth;
   const int eye = timeline.camera.node;
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
@@ -173,7 +178,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
     const LightState light = evaluate_light(timeline.lights[i], i, tick);
     if (plan.color || !options.normals) add_light(light, plan);
   }
-  plan.keeps_vertices = options.kept_vertices, plan.keeps_blank_tiles = options.blank_tiles;
+  plan.keeps_vertices = options.kept_vertices;
+  plan.keeps_blank_tiles = options.blank_tiles;
   return volume;
 }
 

@@ -28,7 +28,9 @@ ScreenBoundary::ScreenBoundary(std::size_t most_triangles) : slots_(std::bit_cei
 }
 
 void ScreenBoundary::add(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-  add_edge(a, b), add_edge(b, c), add_edge(c, a);
+  add_edge(a, b);
+  add_edge(b, c);
+  add_edge(c, a);
 }
 
 void ScreenBoundary::add_edge(const GridPoint& from, const GridPoint& to) {
@@ -58,7 +60,10 @@ bool ScreenBoundary::is_star_shaped() const {
   if (boundary_.empty()) return true;
   // Any point may be tried; the middle of the corners is inside wherever the boundary is convex.
   GridPoint sum{0, 0};
-  for (const auto& [from, to] : boundary_) sum.x += from.x, sum.y += from.y;
+  for (const auto& [from, to] : boundary_) {
+    sum.x += from.x;
+    sum.y += from.y;
+  }
   const auto corners = static_cast<std::int64_t>(boundary_.size());
   const GridPoint middle{sum.x / corners, sum.y / corners};
 

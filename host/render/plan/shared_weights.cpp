@@ -33,7 +33,8 @@ const std::vector<double>& SharedWeights::of(std::size_t object, std::int64_t ti
   if (values.known && values.tick == tick) return values.weights;
   values.known = false;
   evaluate_weights(*values.morph, tick, values.weights);
-  values.tick = tick, values.known = true;
+  values.tick = tick;
+  values.known = true;
   return values.weights;
 }
 

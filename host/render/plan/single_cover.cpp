@@ -21,7 +21,8 @@ constexpr std::size_t most_triangles = 64;
 
 std::vector<Vertex> project(const FramePlan& plan) {
   Draw draw = plan.draws[0];
-  draw.shading = Shading::unlit, draw.vertex_colors = false;  // positions are enough
+  draw.shading = Shading::unlit;
+  draw.vertex_colors = false;  // positions are enough
   return reference::project_vertices(draw, plan, RasterGrid(plan.width, plan.height));
 }
 

@@ -15,15 +15,18 @@ namespace {
 glm::dvec4 measure_depth(const Projection& projection, ViewVolume& volume) {
   const double near = near_distance(projection), far = far_distance(projection);
   if (volume.parallel) {
-    volume.near_depth = to_fp32(-near), volume.far_depth = to_fp32(-far);
+    volume.near_depth = to_fp32(-near);
+    volume.far_depth = to_fp32(-far);
     volume.near_plane = {-1.0f, 0.0f, volume.near_depth};
-    volume.near_w = 1.0f, volume.near = 0.0f;
+    volume.near_w = 1.0f;
+    volume.near = 0.0f;
     return {0, 0, 1, 0};
   }
   volume.near = volume.near_w = to_fp32(near);
   if (!(volume.near_w >= 1e-30f)) throw Error(ErrorKind::bad_input, "", fmt::format("near = {} is below 1e-30", near));
   volume.near_plane = {0.0f, 1.0f, -volume.near_w};
-  volume.near_depth = 1.0f, volume.far_depth = std::isinf(far) ? 0.0f : to_fp32(near / far);
+  volume.near_depth = 1.0f;
+  volume.far_depth = std::isinf(far) ? 0.0f : to_fp32(near / far);
   return {0, 0, 0, volume.near_w};
 }
 

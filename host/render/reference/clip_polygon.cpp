@@ -36,7 +36,10 @@ Corner cut(const Corner& inner, const Corner& outer, float inner_distance, float
   c.clip = {mix(inner.clip.x, outer.clip.x), mix(inner.clip.y, outer.clip.y), mix(inner.clip.z, outer.clip.z),
             mix(inner.clip.w, outer.clip.w)};
   for (int i = 0; i < 3; ++i) c.weight[i] = mix(inner.weight[i], outer.weight[i]);
-  if (plane == near_plane) c.clip.w = frame.near_w, c.clip.z = frame.near_depth * c.clip.w;
+  if (plane == near_plane) {
+    c.clip.w = frame.near_w;
+    c.clip.z = frame.near_depth * c.clip.w;
+  }
   if (plane == left_plane) c.clip.x = -grid.guard_x * c.clip.w;
   if (plane == right_plane) c.clip.x = grid.guard_x * c.clip.w;
   if (plane == bottom_plane) c.clip.y = -grid.guard_y * c.clip.w;

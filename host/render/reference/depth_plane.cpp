@@ -39,7 +39,8 @@ ClosenessPlane::ClosenessPlane(const FramePlan& plan, const ScreenVertex& a, con
   for (int i = 0; i < 3; ++i) {
     const TwoFloat closeness = closeness_of(corners[i]->depth, plan);
     const std::uint32_t key = key_of(closeness, buffer_.format);
-    least_ = std::min(least_, key), greatest_ = std::max(greatest_, key);
+    least_ = std::min(least_, key);
+    greatest_ = std::max(greatest_, key);
     in_range_ = in_range_ && closeness.high >= 0.0f;
     over_area_[i] = closeness / from_integer(area);
   }

@@ -23,7 +23,10 @@ class Rasterizer {
                 const Sample& identity) {
     std::int64_t area = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
     if (area == 0 || (area < 0 && !double_sided)) return;
-    if (area < 0) std::swap(b, c), area = -area;
+    if (area < 0) {
+      std::swap(b, c);
+      area = -area;
+    }
     const int low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
     const int low_y = std::min({a.y, b.y, c.y}), high_y = std::max({a.y, b.y, c.y});
     const int first_x = first_pixel(low_x), first_y = first_pixel(low_y);
@@ -73,10 +76,15 @@ class Rasterizer {
  private:
   static void turn_farthest_first(ScreenVertex& a, ScreenVertex& b, ScreenVertex& c) {
     const ScreenVertex first = a, second = b, third = c;
-    if (b.depth < a.depth && b.depth <= c.depth)
-      a = second, b = third, c = first;
-    else if (c.depth < a.depth && c.depth < b.depth)
-      a = third, b = first, c = second;
+    if (b.depth < a.depth && b.depth <= c.depth) {
+      a = second;
+      b = third;
+      c = first;
+    } else if (c.depth < a.depth && c.depth < b.depth) {
+      a = third;
+      b = first;
+      c = second;
+    }
   }
 
   // Centres on an edge belong to the triangle whose top or left edge it is.
@@ -95,7 +103,8 @@ class Rasterizer {
     const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
     if (nearer || (equal && identity.order < held.order)) {
       held = identity;
-      held.depth = stored.depth, held.key = stored.key;
+      held.depth = stored.depth;
+      held.key = stored.key;
     }
   }
 
@@ -124,7 +133,10 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
       for (int i = 0; i < (lines ? 2 : 3); ++i)
         v.push_back(&vertices[d][lines ? edges[p][i] : draw.mesh->triangles[p][i]]);
       int some = 0, all = ~0;
-      for (const Vertex* vertex : v) some |= vertex->outcode, all &= vertex->outcode;
+      for (const Vertex* vertex : v) {
+        some |= vertex->outcode;
+        all &= vertex->outcode;
+      }
       Sample identity{0, 0, order, d, p, no_piece};
       if (some == 0) {
         if (lines)

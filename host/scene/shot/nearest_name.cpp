@@ -39,8 +39,10 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
     const std::string_view candidate = candidates[i];
     if (candidate.size() > longest_compared) continue;
     const std::size_t distance = edits(name, candidate);
-    if (distance < fewest && 3 * distance <= std::max(name.size(), candidate.size()))
-      best = candidate, fewest = distance;
+    if (distance < fewest && 3 * distance <= std::max(name.size(), candidate.size())) {
+      best = candidate;
+      fewest = distance;
+    }
   }
   if (!best.empty()) return fmt::format("; did you mean \"{}\"?", best);
   const std::size_t listed = std::min(candidates.size(), most_listed);

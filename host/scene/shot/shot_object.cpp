@@ -125,7 +125,10 @@ void ObjectReader::make_elastic(const ShotValue& value, std::size_t first_object
   bool moves = false;
   for (std::size_t i = first_object; i < scene_.objects.size(); ++i)
     for (const MorphTarget& target : library_.mesh(scene_.objects[i].mesh).targets)
-      if (!target.positions.empty()) moves = true, scene_.timeline.weights[i].elastic = elastic;
+      if (!target.positions.empty()) {
+        moves = true;
+        scene_.timeline.weights[i].elastic = elastic;
+      }
   if (!moves) value.fail("an elastic object follows its morph; the mesh has no morph targets that move vertices");
 }
 

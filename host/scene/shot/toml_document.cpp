@@ -45,7 +45,10 @@ class KeyDepthScan {
 
  private:
   void advance() {
-    if (text_[at_] == '\n') ++line_, line_start_ = at_ + 1;
+    if (text_[at_] == '\n') {
+      ++line_;
+      line_start_ = at_ + 1;
+    }
     ++at_;
   }
   void skip_until(char end) {
@@ -88,7 +91,10 @@ class KeyDepthScan {
 TomlValue convert(const toml::node& node, const std::string& file, int depth) {
   TomlValue value;
   const toml::source_position place = node.source().begin;
-  if (place) value.line = static_cast<int>(place.line), value.column = static_cast<int>(place.column);
+  if (place) {
+    value.line = static_cast<int>(place.line);
+    value.column = static_cast<int>(place.column);
+  }
   if (depth > max_depth) fail(file, value.line, value.column, fmt::format("values nested deeper than {}", max_depth));
   if (const auto* flag = node.as_boolean()) {
     value.data = flag->get();

@@ -64,12 +64,17 @@ void draw_quad(Random& r, const Shape& s, double* in) {
     return static_cast<int>(half * (r.integer(low, high) / 1000.0));
   };
   const int centre_x = s.half_width, centre_y = s.half_height;
-  in[0] = centre_x - within(s.half_width, 500, 1000), in[1] = centre_y + within(s.half_height, -300, 300);
-  in[2] = centre_x + within(s.half_width, -300, 300), in[3] = centre_y - within(s.half_height, 500, 1000);
-  in[4] = centre_x + within(s.half_width, 500, 1000), in[5] = centre_y + within(s.half_height, -300, 300);
-  in[6] = centre_x + within(s.half_width, -300, 300), in[7] = centre_y + within(s.half_height, 500, 1000);
+  in[0] = centre_x - within(s.half_width, 500, 1000);
+  in[1] = centre_y + within(s.half_height, -300, 300);
+  in[2] = centre_x + within(s.half_width, -300, 300);
+  in[3] = centre_y - within(s.half_height, 500, 1000);
+  in[4] = centre_x + within(s.half_width, 500, 1000);
+  in[5] = centre_y + within(s.half_height, -300, 300);
+  in[6] = centre_x + within(s.half_width, -300, 300);
+  in[7] = centre_y + within(s.half_height, 500, 1000);
   if (s.from_edge == 0) {
-    in[8] = r.integer(0, 2 * s.half_width), in[9] = r.integer(0, 2 * s.half_height);
+    in[8] = r.integer(0, 2 * s.half_width);
+    in[9] = r.integer(0, 2 * s.half_height);
     return;
   }
   const double t = r.uniform(0, 1);

@@ -81,8 +81,10 @@ Operation hermite() {
              }),
       family("adversarial", "values about 10^6 with 1 between the keys, just before the second key",
              [](Random& r, double* in) {
-               in[0] = 1e6 + r.uniform(-1, 1), in[2] = 1e6 + r.uniform(-1, 1);
-               in[1] = r.uniform(-1, 1), in[3] = r.uniform(-1, 1);
+               in[0] = 1e6 + r.uniform(-1, 1);
+               in[2] = 1e6 + r.uniform(-1, 1);
+               in[1] = r.uniform(-1, 1);
+               in[3] = r.uniform(-1, 1);
                in[5] = r.integer(25'000'000, 100'000'000);
                in[4] = in[5] - r.integer(1, 1000);
              }),
@@ -93,7 +95,10 @@ Operation hermite() {
                  seconds = Number(in(5, i)) / static_cast<double>(ticks_per_second);
     const Number terms[4] = {v * v * (1 + 2 * u) * in(0, i), u * v * v * seconds * in(1, i),
                              u * u * (1 + 2 * v) * in(2, i), -u * u * v * seconds * in(3, i)};
-    for (const Number& term : terms) result->value += term, result->magnitude += abs(term);
+    for (const Number& term : terms) {
+      result->value += term;
+      result->magnitude += abs(term);
+    }
   });
   op.variants = {
       elementwise64<6>("powers in fp32", inlined<by_powers<float>>),

@@ -13,7 +13,11 @@ struct Motion {
 
 class Oscillator {
  public:
-  void prepare(double damping, double stiffness, double step) { c_ = damping, k_ = stiffness, h_ = step; }
+  void prepare(double damping, double stiffness, double step) {
+    c_ = damping;
+    k_ = stiffness;
+    h_ = step;
+  }
   void restart() {}
 
  protected:

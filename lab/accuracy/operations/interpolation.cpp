@@ -32,8 +32,10 @@ float fp64_form(float a1, float w1, float a2, float w2, float t) {
 InputFamily family(const char* name, const char* text, int w_binades, int steps) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 5, count, {}, [=](Random& r, double* in) {
-              in[0] = r.uniform(1, 2), in[2] = r.uniform(1, 2);
-              in[1] = 1, in[3] = r.binades(0, w_binades - 1);
+              in[0] = r.uniform(1, 2);
+              in[2] = r.uniform(1, 2);
+              in[1] = 1;
+              in[3] = r.binades(0, w_binades - 1);
               if (r.integer(0, 1) == 1) std::swap(in[1], in[3]);
               int k = r.integer(0, steps);
               if (r.integer(0, 1) == 1) k = std::min(steps, r.integer(0, 16));

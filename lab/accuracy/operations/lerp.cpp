@@ -40,23 +40,36 @@ Operation lerp_morph() {
       {"benign", "a and b in [0, 1), t in [0, 1]",
        [](Random& random, std::size_t count) {
          return drawn(random, 3, count, {}, [](Random& r, double* in) {
-           in[0] = r.uniform(0, 1), in[1] = r.uniform(0, 1), in[2] = r.integer(0, 100) / 100.0;
+           in[0] = r.uniform(0, 1);
+           in[1] = r.uniform(0, 1);
+           in[2] = r.integer(0, 100) / 100.0;
          });
        },
        1080},
       {"wide", "a and b of either sign from 2^-20 to 2^20",
        [](Random& random, std::size_t count) {
          return drawn(random, 3, count, {}, [](Random& r, double* in) {
-           in[0] = r.signed_binades(-20, 19), in[1] = r.signed_binades(-20, 19), in[2] = r.uniform(0, 1);
+           in[0] = r.signed_binades(-20, 19);
+           in[1] = r.signed_binades(-20, 19);
+           in[2] = r.uniform(0, 1);
          });
        },
        1080 / 0x1p21},
       {"adversarial", "t = 0 or 1, equal ends, or ends at +-3e38, in turn",
        [](Random& random, std::size_t count) {
          return drawn(random, 3, count, {}, [kind = 0](Random& r, double* in) mutable {
-           in[0] = r.signed_binades(-20, 19), in[1] = r.signed_binades(-20, 19), in[2] = r.integer(0, 1);
-           if (kind % 3 == 1) in[1] = in[0], in[2] = r.uniform(0, 1);
-           if (kind % 3 == 2) in[0] = 3e38, in[1] = -3e38, in[2] = r.uniform(0, 1);
+           in[0] = r.signed_binades(-20, 19);
+           in[1] = r.signed_binades(-20, 19);
+           in[2] = r.integer(0, 1);
+           if (kind % 3 == 1) {
+             in[1] = in[0];
+             in[2] = r.uniform(0, 1);
+           }
+           if (kind % 3 == 2) {
+             in[0] = 3e38;
+             in[1] = -3e38;
+             in[2] = r.uniform(0, 1);
+           }
            ++kind;
          });
        }},

@@ -47,11 +47,20 @@ Operation matrix_axonometric() {
   op.results = 6;
   op.families = {
       binary32_family("benign", "azimuth from -180 to 180 degrees, elevation from -90 to 90", 2,
-                      [](Random& r, double* in) { in[0] = r.uniform(-180, 180), in[1] = r.uniform(-90, 90); }),
+                      [](Random& r, double* in) {
+                        in[0] = r.uniform(-180, 180);
+                        in[1] = r.uniform(-90, 90);
+                      }),
       binary32_family("wide", "azimuth from -10^6 to 10^6 degrees", 2,
-                      [](Random& r, double* in) { in[0] = r.uniform(-1e6, 1e6), in[1] = r.uniform(-90, 90); }),
+                      [](Random& r, double* in) {
+                        in[0] = r.uniform(-1e6, 1e6);
+                        in[1] = r.uniform(-90, 90);
+                      }),
       binary32_family("adversarial", "azimuth within 2^-16 to 2^-1 degrees of 180, elevation as near below 90", 2,
-                      [](Random& r, double* in) { in[0] = 180 - r.binades(-16, -1), in[1] = 90 - r.binades(-16, -1); }),
+                      [](Random& r, double* in) {
+                        in[0] = 180 - r.binades(-16, -1);
+                        in[1] = 90 - r.binades(-16, -1);
+                      }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

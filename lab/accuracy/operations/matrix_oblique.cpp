@@ -44,11 +44,20 @@ Operation matrix_oblique() {
   op.results = 2;
   op.families = {
       binary32_family("benign", "directions from 0 to 360 degrees, beta from 30 to 89", 2,
-                      [](Random& r, double* in) { in[0] = r.uniform(0, 360), in[1] = r.uniform(30, 89); }),
+                      [](Random& r, double* in) {
+                        in[0] = r.uniform(0, 360);
+                        in[1] = r.uniform(30, 89);
+                      }),
       binary32_family("wide", "directions from -10^5 to 10^5 degrees, beta from 1 to 89", 2,
-                      [](Random& r, double* in) { in[0] = r.uniform(-1e5, 1e5), in[1] = r.uniform(1, 89); }),
+                      [](Random& r, double* in) {
+                        in[0] = r.uniform(-1e5, 1e5);
+                        in[1] = r.uniform(1, 89);
+                      }),
       binary32_family("adversarial", "directions within 2^-20 to 2^-1 degrees of 90, beta as near below 90", 2,
-                      [](Random& r, double* in) { in[0] = 90 + r.binades(-20, -1), in[1] = 90 - r.binades(-16, -1); }),
+                      [](Random& r, double* in) {
+                        in[0] = 90 + r.binades(-20, -1);
+                        in[1] = 90 - r.binades(-16, -1);
+                      }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

@@ -88,7 +88,9 @@ Operation matrix_rotation() {
              }),
       family("adversarial", "axes along x or within 2^-60 of it, multiples of 90 degrees or about 10^-4",
              [](Random& r, double* in) {
-               in[0] = 1, in[1] = r.signed_binades(-70, -61), in[2] = r.signed_binades(-70, -61);
+               in[0] = 1;
+               in[1] = r.signed_binades(-70, -61);
+               in[2] = r.signed_binades(-70, -61);
                if (r.integer(0, 3) == 0) in[1] = in[2] = 0;
                in[3] = r.integer(0, 1) == 0 ? 90 * r.integer(-4, 4) : r.uniform(0.5e-4, 2e-4);
              }),

@@ -31,7 +31,9 @@ Vector inverse_transpose(float x, float y, float z) {
 }
 
 Vector reciprocal_length(float x, float y, float z) {
-  x /= stretch[0], y /= stretch[1], z /= stretch[2];
+  x /= stretch[0];
+  y /= stretch[1];
+  z /= stretch[2];
   const float r = 1 / std::sqrt(x * x + y * y + z * z);
   return {x * r, y * r, z * r};
 }
@@ -47,7 +49,9 @@ Variant<float> shipped_normals() {
   return {.name = "scaled by exponent",
           .prepare = [](const Batch& batch) -> Run {
             AffineRows<float> rows;
-            rows.x[0] = stretch[0], rows.y[1] = stretch[1], rows.z[2] = stretch[2];
+            rows.x[0] = stretch[0];
+            rows.y[1] = stretch[1];
+            rows.z[2] = stretch[2];
             const auto plane = [&](std::size_t p) {
               return std::span<const float>(batch.stored.plane(p), batch.size());
             };
@@ -91,7 +95,10 @@ Operation normal() {
     std::array<Number, 3> v;
     for (std::size_t axis = 0; axis < 3; ++axis) v[axis] = Number(in(axis, i)) / stretch[axis];
     const Number length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (std::size_t axis = 0; axis < 3; ++axis) results[axis].value = v[axis] / length, results[axis].magnitude = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      results[axis].value = v[axis] / length;
+      results[axis].magnitude = 1;
+    }
   });
   op.variants = {
       elementwise32<3>("the points' matrix", inlined<with_the_points_matrix>),

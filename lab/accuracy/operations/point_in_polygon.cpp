@@ -114,7 +114,8 @@ InputFamily family(const char* name, const char* text, int steps) {
             }
             const std::vector<double> at = constants;
             return drawn(random, 2, count, constants, [=](Random& r, double* in) {
-              in[0] = static_cast<float>(r.uniform(0, 1)), in[1] = static_cast<float>(r.uniform(0, 1));
+              in[0] = static_cast<float>(r.uniform(0, 1));
+              in[1] = static_cast<float>(r.uniform(0, 1));
               if (steps < 0) return;
               const auto k = static_cast<std::size_t>(r.integer(0, corners - 1)), next = (k + 1) % corners;
               const double t = r.uniform(0, 1);

@@ -16,7 +16,10 @@ inline void draw_quaternion_pair(Random& random, double radians, double* in) {
     const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     for (double& component : q) component /= length;
   };
-  for (std::size_t k = 0; k < 4; ++k) a[k] = random.uniform(-1, 1), direction[k] = random.uniform(-1, 1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    a[k] = random.uniform(-1, 1);
+    direction[k] = random.uniform(-1, 1);
+  }
   normalize(a);
   double along = 0;
   for (std::size_t k = 0; k < 4; ++k) along += a[k] * direction[k];
@@ -26,7 +29,10 @@ inline void draw_quaternion_pair(Random& random, double radians, double* in) {
   const double tangent = 0.5 * radians;
   for (std::size_t k = 0; k < 4; ++k) b[k] = a[k] + tangent * direction[k];
   normalize(b);
-  for (std::size_t k = 0; k < 4; ++k) in[k] = a[k], in[k + 4] = b[k];
+  for (std::size_t k = 0; k < 4; ++k) {
+    in[k] = a[k];
+    in[k + 4] = b[k];
+  }
 }
 
 // Makes both exactly of length 1 and returns the angle between them as vectors, half of the rotation's.

@@ -57,7 +57,10 @@ Operation rotation_angle() {
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* result) {
     using Number = NumberOf<decltype(result)>;
     std::array<Number, 4> a, b;
-    for (std::size_t k = 0; k < 4; ++k) a[k] = in(k, i), b[k] = in(k + 4, i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      a[k] = in(k, i);
+      b[k] = in(k + 4, i);
+    }
     result->value = result->magnitude = exact_angle(a, b);
   });
   op.variants = {

@@ -72,7 +72,10 @@ Operation slerp_rotation() {
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
     std::array<Number, 4> a, b;
-    for (std::size_t k = 0; k < 4; ++k) a[k] = in(k, i), b[k] = in(k + 4, i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      a[k] = in(k, i);
+      b[k] = in(k + 4, i);
+    }
     const Number angle = exact_angle(a, b), t = in(8, i), sine = sin(angle);
     const Number from = sin((1 - t) * angle) / sine, to = sin(t * angle) / sine;
     for (std::size_t k = 0; k < 4; ++k) results[k] = {a[k] * from + b[k] * to, Number(1)};

@@ -107,8 +107,12 @@ Variant<double> modal() {
       for (std::size_t m = 0; m < chain_masses; ++m) {
         const double* shape = modes->shape(m);
         double start = 0, end = 0;
-        for (std::size_t i = 0; i < chain_masses; ++i) start += shape[i] * g0[i], end += shape[i] * g1[i];
-        start /= modes->stiffness[m], end /= modes->stiffness[m];
+        for (std::size_t i = 0; i < chain_masses; ++i) {
+          start += shape[i] * g0[i];
+          end += shape[i] * g1[i];
+        }
+        start /= modes->stiffness[m];
+        end /= modes->stiffness[m];
         states[m] = steps[m].apply(states[m], Cubic{start, (end - start) / frame_seconds, 0, 0});
         for (std::size_t i = 0; i < chain_masses; ++i) positions[i] += shape[i] * states[m].position;
       }

@@ -89,7 +89,8 @@ TEST(Figures, ArePrintedWithThreeDigitsAndComparedSo) {
   Figures a, b;
   EXPECT_EQ(printed(a[Measure::max_ulp]), "");
   EXPECT_TRUE(same_digits(a, b));
-  a[Measure::max_ulp] = 1.2344, b[Measure::max_ulp] = 1.2341;
+  a[Measure::max_ulp] = 1.2344;
+  b[Measure::max_ulp] = 1.2341;
   EXPECT_EQ(printed(a[Measure::max_ulp]), "1.23");
   EXPECT_TRUE(same_digits(a, b));
   b[Measure::max_ulp] = 1.236;

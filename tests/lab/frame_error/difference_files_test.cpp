@@ -11,7 +11,10 @@ namespace {
 
 FrameDifference small_difference() {
   FrameDifference d;
-  d.frame = 7, d.width = 8, d.height = 4, d.has_color = true;
+  d.frame = 7;
+  d.width = 8;
+  d.height = 4;
+  d.has_color = true;
   for (std::vector<float>* plane : {&d.red, &d.green, &d.blue, &d.alpha, &d.depth, &d.mask}) plane->resize(32);
   d.shown.assign(32, 1);
   return d;
@@ -19,7 +22,9 @@ FrameDifference small_difference() {
 
 TEST(DifferencePicture, BrightnessGrowsWithTheErrorAndMarksStandOut) {
   FrameDifference d = small_difference();
-  d.red[0] = 0x1p-20f, d.red[1] = 0x1p-10f, d.red[2] = std::numeric_limits<float>::infinity();
+  d.red[0] = 0x1p-20f;
+  d.red[1] = 0x1p-10f;
+  d.red[2] = std::numeric_limits<float>::infinity();
   d.mask[31] = static_cast<float>(PixelDifference::order);
   d.shown[8] = 0;
   const RgbImage image = difference_picture(d);

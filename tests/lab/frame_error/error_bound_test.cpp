@@ -113,7 +113,8 @@ struct Triangle {
       exact[i] = &scene.truth.objects()[object].vertices[corners[i]];
       unclipped &= judged[i]->on_screen;
       vertex_bound = std::max(vertex_bound, judged[i]->bound);
-      shift_x = std::max(shift_x, judged[i]->shift_x), shift_y = std::max(shift_y, judged[i]->shift_y);
+      shift_x = std::max(shift_x, judged[i]->shift_x);
+      shift_y = std::max(shift_y, judged[i]->shift_y);
     }
     snapped_right = shift_x == 0 && shift_y == 0;
   }
@@ -122,7 +123,8 @@ struct Triangle {
     double d[3], x[3], y[3], largest = 0;
     for (int i = 0; i < 3; ++i) {
       d[i] = parallel ? exact[i]->distance : 1 / exact[i]->distance;
-      x[i] = static_cast<double>(judged[i]->screen.x), y[i] = static_cast<double>(judged[i]->screen.y);
+      x[i] = static_cast<double>(judged[i]->screen.x);
+      y[i] = static_cast<double>(judged[i]->screen.y);
       largest = std::max(largest, std::abs(d[i]));
     }
     const double x1 = x[1] - x[0], x2 = x[2] - x[0], y1 = y[1] - y[0], y2 = y[2] - y[0];
@@ -154,7 +156,8 @@ TEST(ErrorBound, Distances) {
       ASSERT_LE(error, bound) << "pixel " << x << ", " << y << ": distance " << shown.distance << ", exact "
                               << hit->distance;
       closest = std::max(closest, error / bound);
-      ++judged, exact_snaps += triangle.snapped_right;
+      ++judged;
+      exact_snaps += triangle.snapped_right;
     }
   }
   EXPECT_GT(judged, 50000u);

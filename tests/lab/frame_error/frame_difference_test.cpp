@@ -116,7 +116,8 @@ TEST(FrameDifference, PicturesWithoutColorOrDepthAreComparedByWhatTheyHave) {
   const FrameDifference depth_only = compare_frame(scene, scene, 0);
   EXPECT_EQ(depth_only.total.color.all.count, 0u);
   EXPECT_GT(depth_only.total.depth.all.count, 100u);
-  scene.image.color = true, scene.image.depth = false;
+  scene.image.color = true;
+  scene.image.depth = false;
   const FrameDifference color_only = compare_frame(scene, scene, 0);
   EXPECT_EQ(color_only.total.depth.all.count, 0u);
   EXPECT_GT(color_only.total.color.all.count, 100u);

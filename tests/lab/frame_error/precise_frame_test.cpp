@@ -165,7 +165,10 @@ TEST(PreciseFrame, LinesTakeOnePixelAColumn) {
   for (int x = 0; x < width; ++x) {
     int shown = 0, row = -1;
     for (int y = 0; y < height; ++y)
-      if (visible[static_cast<std::size_t>(y) * width + x].object != no_object) ++shown, row = y;
+      if (visible[static_cast<std::size_t>(y) * width + x].object != no_object) {
+        ++shown;
+        row = y;
+      }
     ASSERT_EQ(shown, x >= 2 && x < 42 ? 1 : 0) << "column " << x;
     // At x + 0.5 the line is 3.5 + (x - 2) / 4 above the lower edge.
     if (shown != 1) continue;
