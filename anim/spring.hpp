@@ -16,25 +16,13 @@
 
 #include <array>
 
+#include "morphcl/track.hpp"
+
 namespace morphcl {
-
-struct Spring {
-  double angular_frequency = 0;  // omega, radians per second; > 0
-  double damping_ratio = 0;      // zeta >= 0: 1 is critical, below it rings
-};
-
-// `frequency`: cycles per second of the spring without damping.
-Spring spring_of_frequency(double frequency_hz, double damping_ratio);
-
-// Limits that keep every intermediate result finite: what shot files may ask for.
-constexpr double min_spring_frequency_hz = 1e-6, max_spring_frequency_hz = 1e7, max_damping_ratio = 1e6;
 
 struct SpringState {
   double position = 0, velocity = 0;  // velocity per second
 };
-
-// c[0] + c[1] t + c[2] t^2 + c[3] t^3, t in seconds from its beginning.
-using Cubic = std::array<double, 4>;
 
 // The map from a state to the state `seconds` later, for one spring; seconds >= 0.
 class SpringStep {

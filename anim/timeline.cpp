@@ -28,15 +28,12 @@ void evaluate_nodes(const std::vector<Node>& nodes, std::int64_t tick, FrameStat
 }  // namespace
 
 FrameState evaluate(const Timeline& timeline, std::int64_t frame) {
-  const std::int64_t tick = tick_of(timeline, frame);
+  const std::int64_t tick = tick_of(timeline.time, frame);
   FrameState state;
   state.frame = frame;
   state.ambient = timeline.ambient;
   try {
     evaluate_nodes(timeline.nodes, tick, state);
-    state.weights.resize(timeline.weights.size());
-    for (std::size_t i = 0; i < timeline.weights.size(); ++i)
-      evaluate_weights(timeline.weights[i], tick, state.weights[i]);
     const int eye = timeline.camera.node;
     state.camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : state.node_to_world[eye], tick);
     for (std::size_t i = 0; i < timeline.lights.size(); ++i)
@@ -45,6 +42,12 @@ FrameState evaluate(const Timeline& timeline, std::int64_t frame) {
     throw Error(error.kind(), error.place(), fmt::format("frame {}: {}", frame, error.message()));
   }
   return state;
+}
+
+std::vector<double> weights_at(const MorphWeights& morph, const TimeBase& time, std::int64_t frame) {
+  std::vector<double> weights;
+  evaluate_weights(morph, tick_of(time, frame), weights);
+  return weights;
 }
 
 }  // namespace morphcl

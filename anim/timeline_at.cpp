@@ -56,10 +56,10 @@ LookAt evaluate_view(const Camera& camera, const glm::dmat4& node, std::int64_t 
 
 }  // namespace
 
-std::int64_t tick_of(const Timeline& timeline, std::int64_t frame) {
+std::int64_t tick_of(const TimeBase& time, std::int64_t frame) {
   if (frame > 1'000'000 || frame < -1'000'000)
     throw Error(ErrorKind::usage, "", fmt::format("frame {} is out of range; frames are -1000000 to 1000000", frame));
-  return timeline.time.frame_ticks(frame);
+  return time.frame_ticks(frame);
 }
 
 glm::dmat4 node_to_parent(const Node& node, std::int64_t tick) {

@@ -12,7 +12,7 @@
 namespace morphcl {
 
 // Error(usage) when |frame| > 1,000,000.
-std::int64_t tick_of(const Timeline& timeline, std::int64_t frame);
+std::int64_t tick_of(const TimeBase& time, std::int64_t frame);
 
 // node -> parent. Not finite where the motion overflows.
 glm::dmat4 node_to_parent(const Node& node, std::int64_t tick);

@@ -66,8 +66,8 @@ void check_elastic(const Elastic& elastic, const std::string& place) {
   check("edge_damping", elastic.edge_damping, 0, max_elastic_edge_damping);
 }
 
-void check_weights(const MorphWeights& morph, std::size_t index) {
-  const std::string place = fmt::format("weights[{}]", index);
+void check_weights(const MorphWeights& morph) {
+  const std::string place = "weights";
   const std::size_t targets = morph.weights.size();
   for (std::size_t i = 0; i < targets; ++i)
     require(std::isfinite(morph.weights[i]), place, fmt::format("weight {} is NaN or infinite; it must be finite", i));
@@ -115,11 +115,12 @@ void check_light(const Light& light, std::size_t index) {
 
 }  // namespace
 
+void validate(const MorphWeights& morph) { check_weights(morph); }
+
 void Timeline::validate() const {
   check_time(time);
   for (std::size_t i = 0; i < nodes.size(); ++i) check_node(nodes[i], i);
   parents_first(nodes);
-  for (std::size_t i = 0; i < weights.size(); ++i) check_weights(weights[i], i);
   check_camera(camera, nodes.size());
   for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], i);
   check_finite(ambient, "ambient", "ambient");

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
+#include "anim/spring_motion.hpp"
 #include "host/error.hpp"
 #include "host/math/lerp.hpp"
 #include "host/math/quaternion.hpp"
@@ -50,21 +54,67 @@ void normalize_or(const double* fallback, double* xyzw) {
     store(normalized(load(xyzw)), xyzw);
 }
 
+void append(double value, std::vector<double>& values) { values.push_back(value); }
+void append(const glm::dvec3& value, std::vector<double>& values) {
+  values.insert(values.end(), {value.x, value.y, value.z});
+}
+void append(const glm::dquat& value, std::vector<double>& values) {
+  values.insert(values.end(), {value.x, value.y, value.z, value.w});
+}
+
+template <class Key>
+TickKeys tick_keys(Interpolation interpolation, const TimeBase& time, const std::vector<Key>& keys) {
+  TickKeys made;
+  made.interpolation = interpolation;
+  made.rotation = std::is_same_v<Key, RotationKey>;
+  made.ticks_per_second = time.ticks_per_second();
+  for (const Key& key : keys) {
+    made.ticks.push_back(time.frames_to_ticks(key.frame));
+    append(key.value, made.values);
+  }
+  made.width = keys.empty() ? 1 : static_cast<int>(made.values.size() / keys.size());
+  return made;
+}
+
+// In front of each value its tangent, and the same behind it. Keys that a cubic track refuses are left to it.
+TickKeys with_tangents(TickKeys keys) {
+  const std::size_t count = keys.ticks.size(), width = static_cast<std::size_t>(keys.width);
+  if (count < 2 || std::adjacent_find(keys.ticks.begin(), keys.ticks.end(), std::greater_equal()) != keys.ticks.end()) {
+    keys.values.resize(3 * count * width);
+    return keys;
+  }
+  std::vector<double> seconds, component(count), values(3 * count * width);
+  for (const std::int64_t tick : keys.ticks)
+    seconds.push_back(distance(keys.ticks.front(), tick) / static_cast<double>(keys.ticks_per_second));
+  for (std::size_t c = 0; c < width; ++c) {
+    for (std::size_t key = 0; key < count; ++key) component[key] = keys.values[key * width + c];
+    const std::vector<double> tangents = default_tangents(seconds, component);
+    for (std::size_t key = 0; key < count; ++key) {
+      double* const out = &values[3 * key * width + c];
+      out[0] = out[2 * width] = tangents[key];
+      out[width] = component[key];
+    }
+  }
+  keys.values = std::move(values);
+  return keys;
+}
+
 }  // namespace
 
-Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t ticks_per_second,
-             std::vector<std::int64_t> ticks, std::vector<double> values)
-    : interpolation_(interpolation),
-      width_(width),
-      rotation_(rotation),
-      ticks_per_second_(static_cast<double>(ticks_per_second)),
-      ticks_(std::move(ticks)),
-      values_(std::move(values)) {
+Track::Track(TickKeys keys)
+    : interpolation_(keys.interpolation),
+      width_(keys.width),
+      rotation_(keys.rotation),
+      ticks_per_second_(static_cast<double>(keys.ticks_per_second)),
+      ticks_(std::move(keys.ticks)),
+      values_(std::move(keys.values)) {
+  const auto [interpolation, width, rotation] = std::tuple(interpolation_, width_, rotation_);
   if (interpolation == Interpolation::spring) refuse("a spring track needs a spring; use Track::on_spring");
   if (width < 1) refuse(fmt::format("a track has {} components a key; it needs at least 1", width));
   if (rotation && width != 4)
     refuse(fmt::format("a rotation track has {} components a key; it needs 4: x y z w", width));
-  if (ticks_per_second < 1) refuse(fmt::format("a track has {} ticks a second; it needs at least 1", ticks_per_second));
+  if (keys.ticks_per_second < 1)
+    refuse(fmt::format("a track has {} ticks a second; it needs at least 1", keys.ticks_per_second));
   const std::size_t least_keys = interpolation == Interpolation::cubic ? 2 : 1;
   if (ticks_.size() < least_keys)
     refuse(fmt::format("a track has {} keys; this interpolation needs at least {}", ticks_.size(), least_keys));
@@ -82,16 +132,43 @@ Track::Track(Interpolation interpolation, int width, bool rotation, std::int64_t
       refuse(fmt::format("key {} of a rotation track is 0 0 0 0; a rotation is a quaternion of length 1", key));
 }
 
-Track Track::on_spring(const Spring& spring, Interpolation follows, int width, bool rotation,
-                       std::int64_t ticks_per_second, std::vector<std::int64_t> ticks, std::vector<double> values) {
+Track Track::step(const TimeBase& time, const std::vector<NumberKey>& keys) {
+  return Track(tick_keys(Interpolation::step, time, keys));
+}
+Track Track::step(const TimeBase& time, const std::vector<VectorKey>& keys) {
+  return Track(tick_keys(Interpolation::step, time, keys));
+}
+Track Track::step(const TimeBase& time, const std::vector<RotationKey>& keys) {
+  return Track(tick_keys(Interpolation::step, time, keys));
+}
+Track Track::linear(const TimeBase& time, const std::vector<NumberKey>& keys) {
+  return Track(tick_keys(Interpolation::linear, time, keys));
+}
+Track Track::linear(const TimeBase& time, const std::vector<VectorKey>& keys) {
+  return Track(tick_keys(Interpolation::linear, time, keys));
+}
+Track Track::linear(const TimeBase& time, const std::vector<RotationKey>& keys) {
+  return Track(tick_keys(Interpolation::linear, time, keys));
+}
+Track Track::cubic(const TimeBase& time, const std::vector<NumberKey>& keys) {
+  return Track(with_tangents(tick_keys(Interpolation::cubic, time, keys)));
+}
+Track Track::cubic(const TimeBase& time, const std::vector<VectorKey>& keys) {
+  return Track(with_tangents(tick_keys(Interpolation::cubic, time, keys)));
+}
+
+std::optional<Spring> Track::spring() const { return spring_ ? std::optional(spring_->spring()) : std::nullopt; }
+
+Track Track::on_spring(const Spring& spring) const {
+  if (empty()) refuse("a spring follows keys; this track has none");
   const Spring slowest = spring_of_frequency(min_spring_frequency_hz, 0),
                fastest = spring_of_frequency(max_spring_frequency_hz, 0);
   const double omega = spring.angular_frequency, zeta = spring.damping_ratio;
   require(omega >= slowest.angular_frequency && omega <= fastest.angular_frequency, "angular frequency", omega,
           slowest.angular_frequency, fastest.angular_frequency);
   require(zeta >= 0 && zeta <= max_damping_ratio, "damping ratio", zeta, 0, max_damping_ratio);
-  Track track(follows, width, rotation, ticks_per_second, std::move(ticks), std::move(values));
-  if (rotation) track.normalize_keys();
+  Track track = *this;
+  if (rotation_) track.normalize_keys();
   track.spring_ = std::make_shared<const SpringMotion>(spring, track);
   return track;
 }

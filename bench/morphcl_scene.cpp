@@ -42,8 +42,12 @@ MorphWeights mixing_weights(const TimeBase& time, int frames) {
   MorphWeights weights;
   weights.weights = {0.0};
   if (frames > 1)
-    weights.tracks.push_back({0, Track(Interpolation::linear, 1, false, time.ticks_per_second(),
-                                       {time.frame_ticks(0), time.frame_ticks(frames - 1)}, {0.0, 1.0})});
+    weights.tracks.push_back({0, Track({Interpolation::linear,
+                                        1,
+                                        false,
+                                        time.ticks_per_second(),
+                                        {time.frame_ticks(0), time.frame_ticks(frames - 1)},
+                                        {0.0, 1.0}})});
   return weights;
 }
 
@@ -83,9 +87,8 @@ Scene morphcl_scene(BenchScene& bench, int frames) {
     node.scale = glm::dvec3(placement.scale);
     const auto index = static_cast<int>(timeline.nodes.size());
     node.name = fmt::format("{} {}", bench.name, index);
-    scene.objects.push_back({node.name, 0, index, material});
+    scene.objects.push_back({node.name, 0, index, material, weights});
     timeline.nodes.push_back(std::move(node));
-    timeline.weights.push_back(weights);
   }
   validate(scene);
   return scene;

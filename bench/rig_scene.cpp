@@ -44,7 +44,7 @@ Scene rig_scene(int targets, int width, int height, int frames) {
 
   Mesh& mesh = scene.meshes.front();
   mesh.targets.clear();
-  MorphWeights& weights = scene.timeline.weights.front();
+  MorphWeights& weights = scene.objects.front().morph;
   const TimeBase& time = scene.timeline.time;
   weights.weights.assign(static_cast<std::size_t>(targets), 0.0);
   weights.tracks.clear();
@@ -52,9 +52,12 @@ Scene rig_scene(int targets, int width, int height, int frames) {
     // Ends apart from 0, so that all five are used in every frame.
     const double start = 0.2 + 0.1 * active;
     const int target = active * targets / active_targets;
-    weights.tracks.push_back(
-        {target, Track(Interpolation::linear, 1, false, time.ticks_per_second(),
-                       {time.frame_ticks(0), time.frame_ticks(std::max(1, frames - 1))}, {start, 1.0 - start / 2.0})});
+    weights.tracks.push_back({target, Track({Interpolation::linear,
+                                             1,
+                                             false,
+                                             time.ticks_per_second(),
+                                             {time.frame_ticks(0), time.frame_ticks(std::max(1, frames - 1))},
+                                             {start, 1.0 - start / 2.0}})});
   }
   for (int target = 0, active = 0; target < targets; ++target) {
     const bool is_active = active < active_targets && target == active * targets / active_targets;

@@ -16,7 +16,7 @@
 #include "cli/render_command.hpp"
 #include "cli/warm_command.hpp"
 #include "host/error.hpp"
-#include "host/version.hpp"
+#include "morphcl/version.hpp"
 
 namespace morphcl::cli {
 
@@ -240,7 +240,7 @@ int parse_and_run(int argc, char** argv) {
   AccuracyOptions accuracy;
   Action action;
   CLI::App app("Renders keyframed morph and transform animations to OpenEXR on any OpenCL device.", "morphcl");
-  app.set_version_flag("--version", std::string("morphcl ") + version);
+  app.set_version_flag("--version", std::string("morphcl ") + version());
   app.require_subcommand(1);
   app.footer(examples);
   add_render(app, render, action);

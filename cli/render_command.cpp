@@ -25,7 +25,6 @@ int render_command(const RenderOptions& options) {
   job.frames = frame_numbers(scene.frames);
   job.resume = options.resume;
   job.verify = options.verify;
-  job.fingerprint = fingerprint(scene);
   job.plan.leave_out = options.leave_out;
   job.reuse_equal_frames = options.leave_out;
   job.contact_sheet = options.contact_sheet;

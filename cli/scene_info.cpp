@@ -53,7 +53,7 @@ std::string target_names(const Mesh& mesh) {
 // Standing at the first frame.
 NodeSampler first_nodes(const Scene& scene) {
   NodeSampler nodes(scene.timeline.nodes);
-  nodes.go_to(tick_of(scene.timeline, frame_numbers(scene.frames).front()));
+  nodes.go_to(tick_of(scene.timeline.time, frame_numbers(scene.frames).front()));
   return nodes;
 }
 

@@ -52,8 +52,8 @@ Scene scene_with(const Projection& projection, Reach reach, Channels channels, c
     object.name = "object" + std::to_string(scene.objects.size());
     object.material.shading = shading;
     object.material.double_sided = true;
+    object.morph.weights = {0.5, 0.25};
     scene.objects.push_back(object);
-    scene.timeline.weights.push_back({{0.5, 0.25}, {}});
   }
   scene.frames = {FrameRange{}};
   return scene;

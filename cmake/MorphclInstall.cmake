@@ -45,8 +45,7 @@ add_library(morphcl::morphcl ALIAS morphcl)
 set_target_properties(morphcl PROPERTIES LINKER_LANGUAGE CXX)
 target_compile_features(morphcl INTERFACE cxx_std_20)
 target_include_directories(morphcl INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
-  $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/morphcl>)
 
 set(MORPHCL_FIND_DEPENDENCIES "")
@@ -61,8 +60,6 @@ foreach(link IN LISTS external)
   endif()
 endforeach()
 
-configure_file(${PROJECT_SOURCE_DIR}/host/morphcl.hpp ${PROJECT_BINARY_DIR}/include/morphcl/morphcl.hpp COPYONLY)
-
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/morphcl)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/morphclConfig.cmake.in ${PROJECT_BINARY_DIR}/morphclConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
@@ -75,7 +72,6 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/anim DESTINAT
         FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${PROJECT_SOURCE_DIR}/kernels/layout.h ${PROJECT_SOURCE_DIR}/kernels/transform_kind.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/kernels)
-install(FILES ${PROJECT_SOURCE_DIR}/host/morphcl.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl)
-install(FILES ${PROJECT_BINARY_DIR}/generated/host/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/host)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/morphcl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos/ DESTINATION ${CMAKE_INSTALL_DATADIR}/morphcl/demos
         FILES_MATCHING PATTERN "*.toml" PATTERN "*.gltf" PATTERN "viewer" EXCLUDE)

@@ -87,7 +87,6 @@ std::string FrameSource::export_frame(const View& view, const Size& size, const 
   RenderJob job;
   job.pattern = pattern;
   job.frames = {frames_[view.step]};
-  job.fingerprint = fingerprint(scene_);
   const FrameResult result = run(job, scene_, *renderer_).frames.at(0);
   if (result.status == FrameResult::Status::failed) {
     throw Error(static_cast<ErrorKind>(result.error_code), "", result.error);

@@ -1,20 +1,152 @@
 #include "host/job/fingerprint.hpp"
 
-#include <fmt/format.h>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
 
 #include "host/image/pixel_hash.hpp"
-#include "host/version.hpp"
+#include "morphcl/version.hpp"
 
 namespace morphcl {
 
+namespace {
+
+// Adds values one after the other. Structs are taken apart by structured bindings, which stop the build when a member
+// is added that is not decided on here. Lists and texts begin with their length, so that no two scenes give the same
+// bytes.
+class SceneHasher {
+ public:
+  std::string hex() const { return hasher_.hex(); }
+
+  template <class Value>
+    requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>)
+  void add(Value value) {
+    hasher_.add_row(&value, sizeof value);
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    hasher_.add_row(text.data(), text.size());
+  }
+  template <glm::length_t size, class Real>
+  void add(const glm::vec<size, Real>& vector) {
+    hasher_.add_row(&vector, sizeof vector);
+  }
+  void add(const glm::dmat4& matrix) { hasher_.add_row(&matrix, sizeof matrix); }
+  void add(const glm::dquat& quaternion) { hasher_.add_row(&quaternion, sizeof quaternion); }
+  template <class Value>
+  void add(const std::vector<Value>& values) {
+    add(values.size());
+    if constexpr (packed<Value>)
+      hasher_.add_row(values.data(), values.size() * sizeof(Value));
+    else
+      for (const Value& value : values) add(value);
+  }
+  template <class... Values>
+  void add_all(const Values&... values) {
+    (add(values), ...);
+  }
+
+  void add(const Spring& spring) { add_all(spring.angular_frequency, spring.damping_ratio); }
+  void add(const Track& track) {
+    add_all(track.interpolation(), track.width(), track.is_rotation(), track.ticks().size(), track.values().size());
+    hasher_.add_row(track.ticks().data(), track.ticks().size_bytes());
+    hasher_.add_row(track.values().data(), track.values().size_bytes());
+    if (track.key_count() > 1) add(track.seconds_from_key(0, track.last_tick()));
+    if (const auto spring = track.spring()) add(*spring);
+  }
+  void add(const WeightTrack& driven) {
+    const auto& [first_target, track] = driven;
+    add_all(first_target, track);
+  }
+  void add(const Elastic& elastic) {
+    const auto& [anchor, stiffness, damping, edge_damping, rest, rule] = elastic;
+    add_all(anchor, stiffness, damping, edge_damping, rest, rule);
+  }
+  void add(const MorphWeights& morph) {
+    const auto& [weights, tracks, elastic] = morph;
+    add_all(weights, tracks, elastic.has_value());
+    if (elastic) add(*elastic);
+  }
+  void add(const Node& node) {
+    const auto& [name, parent, matrix, translation, rotation, scale, moves, turns, grows, shows] = node;
+    add_all(parent, matrix, translation, rotation, scale, moves, turns, grows, shows);
+  }
+  void add(const Perspective& projection) {
+    const auto& [fovy, near, far] = projection;
+    add_all(fovy, near, far);
+  }
+  void add(const HorizontalPerspective& projection) {
+    const auto& [fovx, near, far] = projection;
+    add_all(fovx, near, far);
+  }
+  void add(const Frustum& projection) {
+    const auto& [left, right, bottom, top, near, far, fit] = projection;
+    add_all(left, right, bottom, top, near, far, fit);
+  }
+  void add(const CentralProjection& projection) {
+    const auto& [left, right, bottom, top, near, far, board, fit] = projection;
+    add_all(left, right, bottom, top, near, far, board, fit);
+  }
+  void add(const Orthographic& projection) {
+    const auto& [left, right, bottom, top, near, far, fit] = projection;
+    add_all(left, right, bottom, top, near, far, fit);
+  }
+  void add(const Oblique& projection) {
+    const auto& [left, right, bottom, top, near, far, shear, plane, fit] = projection;
+    add_all(left, right, bottom, top, near, far, shear.x, shear.y, plane, fit);
+  }
+  void add(const Camera& camera) {
+    const auto& [projection, node, eye, target, up, eye_track, target_track, up_track, fovy, fovx, near, far] = camera;
+    add(projection.index());
+    std::visit([this](const auto& kind) { add(kind); }, projection);
+    add_all(node, eye, target, up, eye_track, target_track, up_track, fovy, fovx, near, far);
+  }
+  void add(const Light& light) {
+    const auto& [kind, vector, color, falloff, vector_track, color_track] = light;
+    add_all(kind, vector, color, falloff, vector_track, color_track);
+  }
+  void add(const Timeline& timeline) {
+    const auto& [time, nodes, camera, lights, ambient] = timeline;
+    add_all(time.fps_numerator, time.fps_denominator, nodes, camera, lights, ambient);
+  }
+  void add(const MorphTarget& target) {
+    const auto& [name, form, positions, normals, colors] = target;
+    add_all(form, positions, normals, colors);
+  }
+  void add(const Mesh& mesh) {
+    const auto& [name, positions, normals, colors, triangles, edges, targets] = mesh;
+    add_all(positions, normals, colors, triangles, edges, targets);
+  }
+  void add(const Object& object) {
+    const auto& [name, mesh, node, material, morph] = object;
+    const auto& [base_color, shading, double_sided] = material;
+    add_all(mesh, node, base_color, shading, double_sided, morph);
+  }
+  void add(const ImageSettings& image) {
+    const auto& [width, height, color, depth, compression, depth_format] = image;
+    add_all(width, height, color, depth, std::string_view(compression), depth_format);
+  }
+  void add(const Scene& scene) {
+    const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, warnings, content_hash] = scene;
+    add_all(meshes, objects, timeline, image, accuracy_pixels, std::string_view(content_hash));
+  }
+
+ private:
+  template <class Value>
+  static constexpr bool packed =
+      std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec3> || std::is_same_v<Value, glm::vec4> ||
+      std::is_same_v<Value, glm::uvec2> || std::is_same_v<Value, glm::uvec3>;
+
+  PixelHasher hasher_;
+};
+
+}  // namespace
+
 std::string fingerprint(const Scene& scene) {
-  const ImageSettings& image = scene.image;
-  // The one text that comes from outside stands last, so that no two scenes give the same line.
-  return text_hash(fmt::format(
-      "morphcl {} size {}x{} color {} depth {} fps {}/{} depth buffer {} pixels {} content {} compression {}", version,
-      image.width, image.height, image.color, image.depth, scene.timeline.time.fps_numerator,
-      scene.timeline.time.fps_denominator, name_of(image.depth_format), scene.accuracy_pixels, scene.content_hash,
-      image.compression));
+  SceneHasher hasher;
+  hasher.add(std::string_view(version()));
+  hasher.add(scene);
+  return hasher.hex();
 }
 
 }  // namespace morphcl

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 
-// 32 hex digits over everything that decides a frame's file but its number: every byte that was read for the scene, the
-// image's size, channels and compression, the frame rate and morphcl's version. Frame range, names and device are not
-// in it.
+// 32 hex digits over everything that decides a frame's file but its number: the image's settings, meshes, objects,
+// nodes, tracks, camera and lights, every byte that was read for the scene, and morphcl's version. Frame range, names,
+// warnings and device are not in it.
 std::string fingerprint(const Scene& scene);
 
 }  // namespace morphcl

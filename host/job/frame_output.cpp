@@ -62,16 +62,20 @@ void set_failed(FrameResult& result, const std::exception& error) {
   result.error_code = failure.exit_code();
 }
 
-FrameOutput::FrameOutput(const RenderJob& job, const ImageSettings& image, int encoders)
-    : job_(job), image_(image), pattern_(job.pattern), encoders_(encoders) {
-  check_settings(job, image, pattern_);
+FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, int encoders)
+    : job_(job),
+      fingerprint_(morphcl::fingerprint(scene)),
+      image_(scene.image),
+      pattern_(job.pattern),
+      encoders_(encoders) {
+  check_settings(job, image_, pattern_);
   if (job.frames.empty()) return;
   check_can_create(path(job.frames.front()));
   remove_stale_temporaries(pattern_.before_number());
   if (job.contact_sheet.empty()) return;
   check_can_create(job.contact_sheet);
   remove_stale_temporaries(job.contact_sheet);
-  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image.width, image.height});
+  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height});
 }
 
 std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
@@ -79,7 +83,7 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   result.frame = frame;
   result.path = path(frame);
   result.status = FrameResult::Status::kept;
-  const std::optional<ExrFrame> finished = read_finished_frame(result.path, job_.fingerprint);
+  const std::optional<ExrFrame> finished = read_finished_frame(result.path, fingerprint_);
   if (!finished) return std::nullopt;
   result.hash = finished->hash;
   try {

@@ -21,11 +21,12 @@ void set_failed(FrameResult& result, const std::exception& error);
 class FrameOutput {
  public:
   // Checks all that run() promises to find before anything is rendered, makes the output's folder, and removes what
-  // killed jobs left there. `job` and `image` have to outlive this. Of the threads that call write() at the same time,
+  // killed jobs left there. `job` and `scene` have to outlive this. Of the threads that call write() at the same time,
   // at most `encoders` encode; the others wait for them or for the disk.
-  FrameOutput(const RenderJob& job, const ImageSettings& image, int encoders);
+  FrameOutput(const RenderJob& job, const Scene& scene, int encoders);
 
   std::string path(std::int64_t frame) const { return pattern_.path(frame); }
+  const std::string& fingerprint() const { return fingerprint_; }  // of the scene
 
   // The result of a frame that a former run finished, with its pictures drawn; nothing when it has to be rendered. May
   // be called for several frames at the same time, as may write() and copy().
@@ -49,6 +50,7 @@ class FrameOutput {
   void draw_pictures(const FrameResult& result, const FrameBuffer& pixels);
 
   const RenderJob& job_;
+  const std::string fingerprint_;
   const ImageSettings& image_;
   const FramePattern pattern_;
   std::counting_semaphore<> encoders_;

@@ -45,7 +45,7 @@ WriteQueue::Limits limits(const RenderJob& job, const ImageSettings& image) {
 class JobRun {
  public:
   JobRun(const RenderJob& job, const Scene& scene, Renderer& renderer)
-      : job_(job), scene_(scene), renderer_(renderer), output_(job, scene.image, thread_count(job)) {}
+      : job_(job), scene_(scene), renderer_(renderer), output_(job, scene, thread_count(job)) {}
 
   JobResult run() {
     const std::vector<std::int64_t> missing = job_.resume ? keep_finished_frames() : job_.frames;
@@ -177,9 +177,12 @@ FrameTask JobRun::task_for(const PlannedFrame& planned) const {
   FrameTask task;
   task.result.frame = planned.frame;
   task.result.path = output_.path(planned.frame);
-  task.attributes = {
-      planned.frame,   time.fps_numerator, time.fps_denominator, planned.plan.world_to_eye, planned.plan.world_to_ndc,
-      job_.fingerprint};
+  task.attributes = {planned.frame,
+                     time.fps_numerator,
+                     time.fps_denominator,
+                     planned.plan.world_to_eye,
+                     planned.plan.world_to_ndc,
+                     output_.fingerprint()};
   task.picture = planned.digest;
   return task;
 }
@@ -222,7 +225,10 @@ void JobRun::draw_lost_copies(const Planner& planner, WriteQueue& queue) {
 }  // namespace
 
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer) {
-  return JobRun(job, scene, renderer).run();
+  if (!job.frames.empty() || scene.frames.empty()) return JobRun(job, scene, renderer).run();
+  RenderJob all = job;
+  all.frames = frame_numbers(scene.frames);
+  return JobRun(all, scene, renderer).run();
 }
 
 }  // namespace morphcl

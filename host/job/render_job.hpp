@@ -29,7 +29,7 @@ struct FrameResult {
 
 struct RenderJob {
   std::string pattern;               // see FramePattern
-  std::vector<std::int64_t> frames;  // each once
+  std::vector<std::int64_t> frames;  // each once; empty: those of the scene
   bool resume = false;               // keep the finished frames of the same fingerprint
   bool verify = false;  // read every frame back after it was written; one that reads back differently is removed
   // A frame whose plan shows the same picture as one that this job has written is copied from that one's file.
@@ -40,7 +40,6 @@ struct RenderJob {
   // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
   // large frames fewer, so that drawing does not wait for each flush.
   int frames_in_flight = 0;
-  std::string fingerprint;                           // fingerprint(scene)
   PlanOptions plan;                                  // what is left out of frames; their pixels are the same
   std::string contact_sheet;                         // a PNG of all frames, kept ones included; empty: none
   bool preview = false;                              // a PNG beside each frame, its name ending in .png instead of .exr
@@ -53,6 +52,8 @@ struct JobResult {
   bool interrupted = false;         // the stop flag was seen before all frames were reached
 };
 
+// The fingerprint by which resumed jobs know their frames is that of the scene (fingerprint.hpp).
+//
 // Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a pattern without a
 // number although several frames are asked for, an unknown compression, or pictures of a scene without colour;
 // Error(cannot_create) when the output cannot be created. Thrown at the end, when all frames were reached: the Error of

@@ -30,7 +30,6 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   scene.content_hash = std::move(model.content_hash);
   scene.timeline.time = options.fps.value_or(TimeBase{});
   scene.timeline.nodes = std::move(model.nodes);
-  scene.timeline.weights = std::move(model.weights);
   scene.timeline.lights = std::move(model.lights);
   scene.image.width = options.width.value_or(scene.image.width);
   scene.image.height = options.height.value_or(scene.image.height);

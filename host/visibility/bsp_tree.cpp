@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/error.hpp"
+#include "host/visibility/wide_integer.hpp"
 
 namespace morphcl {
 

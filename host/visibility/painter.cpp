@@ -2,6 +2,7 @@
 
 #include "host/visibility/bsp_tree.hpp"
 #include "host/visibility/hidden_surfaces.hpp"
+#include "host/visibility/wide_integer.hpp"
 
 namespace morphcl {
 

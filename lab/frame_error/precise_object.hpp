@@ -118,8 +118,9 @@ PreciseObject<Real> make_object(const Scene& scene, std::size_t index, const Fra
   const auto row = [&](int r) -> Vector3<Real> { return {m[r][0], m[r][1], m[r][2]}; };
   object.mirrored = dot(row(0), cross(row(1), row(2))) < 0;
   const Matrix<Real> object_to_clip = camera.eye_to_clip * object.object_to_eye;
+  const std::vector<double> weights = weights_at(source.morph, scene.timeline.time, state.frame);
   for (std::size_t i = 0; i < object.mesh->positions.size(); ++i)
-    object.vertices.push_back(make_vertex(object, object_to_clip, state.weights[index], shape, i));
+    object.vertices.push_back(make_vertex(object, object_to_clip, weights, shape, i));
   return object;
 }
 

@@ -146,7 +146,7 @@ TEST(Errata, W17_StepsThatAddUp) {
   for (presses = 0; t > 0.0; ++presses) t = static_cast<float>(t - 0.01);
   EXPECT_EQ(presses, 102);
   EXPECT_EQ(t, -0.00999993644654750823974609375f);
-  const Track growing(Interpolation::linear, 1, false, 25'000'000, {0, 100'000'000}, {0, 1});
+  const Track growing({Interpolation::linear, 1, false, 25'000'000, {0, 100'000'000}, {0, 1}});
   for (int step = 0; step <= 103; ++step) {
     double value = 0;
     growing.evaluate(step * std::int64_t{1'000'000}, &value);

@@ -112,7 +112,7 @@ TEST(ExtremeCase, HermiteWithNearlyCoincidentKeys) {
   for (const auto& tangents : {default_tangents(frames, values), monotone_tangents(frames, values)}) {
     std::vector<double> keys;
     for (std::size_t i = 0; i < frames.size(); ++i) keys.insert(keys.end(), {tangents[i], values[i], tangents[i]});
-    const Track track(Interpolation::cubic, 1, false, 1'000'000, ticks, keys);
+    const Track track({Interpolation::cubic, 1, false, 1'000'000, ticks, keys});
     for (std::size_t key = 0; key + 1 < frames.size(); ++key)
       for (int i = 0; i <= 200; ++i) {
         const std::int64_t tick = ticks[key] + (ticks[key + 1] - ticks[key]) * i / 200;
@@ -146,8 +146,12 @@ TEST(ExtremeCase, TimeOfTenMillionSeconds) {
   }
   naive_form.add(naive::by_adding(1e7f, 1.0f / 24, 24), Real(10'000'001), 0.5);
   // Half-way between two keys an hour apart, 1e7 s after the start: the parameter is exact.
-  const Track track(Interpolation::linear, 1, false, time.ticks_per_second(),
-                    {time.seconds_to_ticks(1e7), time.seconds_to_ticks(1e7 + 3600)}, {0, 1});
+  const Track track({Interpolation::linear,
+                     1,
+                     false,
+                     time.ticks_per_second(),
+                     {time.seconds_to_ticks(1e7), time.seconds_to_ticks(1e7 + 3600)},
+                     {0, 1}});
   double value = 0;
   track.evaluate(time.seconds_to_ticks(1e7 + 1800), &value);
   stable.add_exact(value == 0.5);

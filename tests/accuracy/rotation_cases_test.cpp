@@ -131,8 +131,8 @@ TEST(ExtremeCase, HugeAngle) {
 TEST(ExtremeCase, MillionSteps) {
   constexpr int steps = 1'000'000;
   constexpr float step = 0.01f;
-  const Track turning(Interpolation::linear, 1, false, 25'000'000, {0, std::int64_t{steps} * 1'000'000},
-                      {0, double{step} * steps});
+  const Track turning(
+      {Interpolation::linear, 1, false, 25'000'000, {0, std::int64_t{steps} * 1'000'000}, {0, double{step} * steps}});
   Worst stable, naive_form;
   for (const int k : {1, 17, 99'999, 123'456, 500'000, 999'999, steps}) {
     double angle = 0;

@@ -10,8 +10,8 @@ constexpr TimeBase film;
 
 Track linear(std::vector<double> values) {
   const int width = static_cast<int>(values.size() / 2);
-  return Track(Interpolation::linear, width, false, film.ticks_per_second(), {0, film.frame_ticks(720)},
-               std::move(values));
+  return Track(
+      {Interpolation::linear, width, false, film.ticks_per_second(), {0, film.frame_ticks(720)}, std::move(values)});
 }
 
 // The classic turn: half a degree a frame about the line from the origin to (1, 0, 1).

@@ -79,7 +79,7 @@ MorphDrive chain_drive(std::size_t masses, int frames) {
   drive.weights.weights = {0};
   drive.weights.tracks = {
       {.first_target = 0,
-       .track = Track(Interpolation::linear, 1, false, chain_time.ticks_per_second(), ticks, values)}};
+       .track = Track({Interpolation::linear, 1, false, chain_time.ticks_per_second(), ticks, values})}};
   drive.targets.resize(1);
   for (std::size_t i = 0; i < masses; ++i) drive.targets[0].emplace_back(share_of(i), 0, -2 * share_of(i));
   return drive;

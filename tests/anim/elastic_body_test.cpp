@@ -130,7 +130,8 @@ TEST(ElasticBody, RestsBeforeItsFirstKey) {
   SpringNet net = stiff_chain(4);
   MorphDrive drive = chain_drive(4, 10);
   std::vector<std::int64_t> ticks = {chain_time.frame_ticks(5), chain_time.frame_ticks(6)};
-  drive.weights.tracks[0].track = Track(Interpolation::linear, 1, false, chain_time.ticks_per_second(), ticks, {1, 1});
+  drive.weights.tracks[0].track =
+      Track({Interpolation::linear, 1, false, chain_time.ticks_per_second(), ticks, {1, 1}});
   for (const EdgeRest rest : {EdgeRest::driven, EdgeRest::base}) {
     SteppedBody stepped(net, rest, drive, chain_time);
     ModalBody modal(net, rest, drive, chain_time);
@@ -180,9 +181,13 @@ TEST(ElasticBody, AMotionThatEndedCostsNothing) {
 TEST(ElasticBody, AWeightThatSwingsOnAndOnDrivesOnAndOn) {
   const auto driven_until = [](std::int64_t last_frame) {
     MorphDrive drive = chain_drive(3, 4);
-    drive.weights.tracks[0].track =
-        Track::on_spring({0.5, 0}, Interpolation::step, 1, false, chain_time.ticks_per_second(),
-                         {0, chain_time.frame_ticks(1), chain_time.frame_ticks(last_frame)}, {0, 1, 1});
+    drive.weights.tracks[0].track = Track({Interpolation::step,
+                                           1,
+                                           false,
+                                           chain_time.ticks_per_second(),
+                                           {0, chain_time.frame_ticks(1), chain_time.frame_ticks(last_frame)},
+                                           {0, 1, 1}})
+                                        .on_spring({0.5, 0});
     return drive;
   };
   SpringNet net = stiff_chain(3);
@@ -212,7 +217,7 @@ TEST(ElasticBody, TheMethodFollowsFromTheNetAndItsKeys) {
   EXPECT_EQ(method(stiff_chain(many), chain_drive(many, 3)), ElasticMethod::tr_bdf2);
   MorphDrive on_spring = chain_drive(8, 3);
   on_spring.weights.tracks[0].track =
-      Track::on_spring({5, 0.5}, Interpolation::step, 1, false, chain_time.ticks_per_second(), {0, 1'000'000}, {0, 1});
+      Track({Interpolation::step, 1, false, chain_time.ticks_per_second(), {0, 1'000'000}, {0, 1}}).on_spring({5, 0.5});
   EXPECT_EQ(method(stiff_chain(8), on_spring), ElasticMethod::tr_bdf2);
   SpringNet huge;
   huge.masses = max_elastic_masses + 1;

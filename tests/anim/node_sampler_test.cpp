@@ -19,7 +19,7 @@ Timeline forest(unsigned seed, int count) {
   const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
   const auto one_in = [&](int n) { return random() % static_cast<unsigned>(n) == 0; };
   const auto track = [&](int width, bool rotation, std::vector<double> values) {
-    return Track(Interpolation::linear, width, rotation, 25'000'000, {0, 10'000'000}, std::move(values));
+    return Track({Interpolation::linear, width, rotation, 25'000'000, {0, 10'000'000}, std::move(values)});
   };
   timeline.nodes.resize(static_cast<std::size_t>(count));
   std::vector<int> place(static_cast<std::size_t>(count));
@@ -48,7 +48,7 @@ TEST(NodeSampler, GivesTheNumbersOfTheWholeStateInAnyOrder) {
   int hidden = 0, still = 0, moving = 0;
   for (const std::int64_t frame : {0, 7, 3, 3, 10, 25, -4}) {
     const FrameState state = evaluate(timeline, frame);
-    sampler.go_to(tick_of(timeline, frame));
+    sampler.go_to(tick_of(timeline.time, frame));
     for (int i = 0; i < 200; ++i) {
       const int node = static_cast<int>(random() % 300);
       ASSERT_EQ(sampler.to_world(node), state.node_to_world[node]) << "frame " << frame << " node " << node;
@@ -71,7 +71,7 @@ TEST(NodeSampler, NodesBelowOneThatMovesAreNotStill) {
   timeline.nodes.resize(3);
   timeline.nodes[0].parent = 2;
   timeline.nodes[1].parent = -1;
-  timeline.nodes[2].scale_track = Track(Interpolation::step, 3, false, 25'000'000, {0}, {1, 2, 3});
+  timeline.nodes[2].scale_track = Track({Interpolation::step, 3, false, 25'000'000, {0}, {1, 2, 3}});
   NodeSampler sampler(timeline.nodes);
   EXPECT_FALSE(sampler.is_still(0));
   EXPECT_TRUE(sampler.is_still(1));
@@ -87,9 +87,9 @@ TEST(NodeSampler, AChainOfAMillionMovingNodes) {
     timeline.nodes[i].translation = {1, 0, 0};
   }
   timeline.nodes[0].translation_track =
-      Track(Interpolation::linear, 3, false, 25'000'000, {0, 10'000'000}, {1, 0, 0, 11, 0, 0});
+      Track({Interpolation::linear, 3, false, 25'000'000, {0, 10'000'000}, {1, 0, 0, 11, 0, 0}});
   NodeSampler sampler(timeline.nodes);
-  sampler.go_to(tick_of(timeline, 5));
+  sampler.go_to(tick_of(timeline.time, 5));
   EXPECT_EQ(sampler.to_world(depth - 1)[3], glm::dvec4(depth + 5, 0, 0, 1));
   EXPECT_TRUE(sampler.is_visible(depth - 1));
 }

@@ -29,7 +29,7 @@ Track zigzag(const Spring& spring, std::int64_t last) {
     ticks.push_back(k * frame);
     values.push_back(static_cast<double>((7 * k * k + 3 * k) % 11) / 8);
   }
-  return Track::on_spring(spring, Interpolation::linear, 1, false, second, ticks, values);
+  return Track({Interpolation::linear, 1, false, second, ticks, values}).on_spring(spring);
 }
 
 // Computed with 120 digits by a matrix exponential, or the closed form where that is too stiff. Each step adds at most
@@ -76,7 +76,7 @@ TEST(SpringTrack, IsExactBetweenKeysOfEveryKind) {
     std::vector<std::int64_t> ticks = {0, 300'000, 1'000'000, 1'500'000};
     std::vector<double> values;
     for (std::size_t i = 0; i < ticks.size() * per_key; ++i) values.push_back(random.in(-2, 2));
-    const Track track = Track::on_spring(spring, kind, 1, false, binary_second, ticks, values);
+    const Track track = Track({kind, 1, false, binary_second, ticks, values}).on_spring(spring);
     SpringState from{values[per_key / 2], 0};
     double bound = 0;
     for (std::size_t key = 0; key < ticks.size(); ++key) {
@@ -97,7 +97,7 @@ TEST(SpringTrack, IsExactBetweenKeysOfEveryKind) {
 }
 
 TEST(SpringTrack, CurvesAreThoseOfTheKeys) {
-  const Track cubic(Interpolation::cubic, 1, false, 1000, {0, 2000}, {9, 1, -3, 5, 2, 9});
+  const Track cubic({Interpolation::cubic, 1, false, 1000, {0, 2000}, {9, 1, -3, 5, 2, 9}});
   const Cubic c = cubic.curve_from(0, 0);
   for (std::int64_t tick = 0; tick <= 2000; tick += 125) {
     const double t = static_cast<double>(tick) / 1000;
@@ -107,8 +107,8 @@ TEST(SpringTrack, CurvesAreThoseOfTheKeys) {
 }
 
 TEST(SpringTrack, RestsBeforeItsFirstKeyAndSettlesAfterItsLast) {
-  const Track track = Track::on_spring(spring_of_frequency(3, 0.25), Interpolation::step, 1, false, second,
-                                       {10 * frame, 11 * frame}, {2, 5});
+  const Track track = Track({Interpolation::step, 1, false, second, {10 * frame, 11 * frame}, {2, 5}})
+                          .on_spring(spring_of_frequency(3, 0.25));
   for (const std::int64_t k : {-1'000'000, 0, 10, 11}) EXPECT_EQ(at(track, k * frame), 2) << k;
   double most = 0;
   for (std::int64_t k = 11; k < 60; ++k) most = std::max(most, at(track, k * frame));
@@ -131,8 +131,8 @@ TEST(SpringTrack, RotationsAreUnitAndKeepTheirSide) {
   const double h = std::sqrt(0.5);
   // A quarter turn about z, written with the opposite sign and another length.
   const auto turning = [&](double factor) {
-    return Track::on_spring(spring_of_frequency(2, 0.3), Interpolation::linear, 4, true, second, {0, 10 * frame},
-                            {0, 0, 0, 3, 0, 0, factor * h, factor * h});
+    return Track({Interpolation::linear, 4, true, second, {0, 10 * frame}, {0, 0, 0, 3, 0, 0, factor * h, factor * h}})
+        .on_spring(spring_of_frequency(2, 0.3));
   };
   const Track track = turning(1), other = turning(-7);
   double most = 0;
@@ -161,7 +161,7 @@ TEST(SpringTrack, RangeContainsWhatItOvershoots) {
       for (int i = 0; i < (cubic ? 3 : 1); ++i) values.push_back(random.in(-10, 10));
     }
     const Track track =
-        Track::on_spring(spring, cubic ? Interpolation::cubic : Interpolation::linear, 1, false, 1000, ticks, values);
+        Track({cubic ? Interpolation::cubic : Interpolation::linear, 1, false, 1000, ticks, values}).on_spring(spring);
     const ValueRange range = track.range(0);
     ValueRange seen{1e9, -1e9};
     for (std::int64_t tick = -5; tick < ticks.back() + 3000; tick += 3)
@@ -171,7 +171,7 @@ TEST(SpringTrack, RangeContainsWhatItOvershoots) {
     tightest = std::min(tightest, (range.upper - range.lower) / (seen.upper - seen.lower));
   }
   EXPECT_LT(tightest, 1.5) << "not wider than need be";
-  const Track still = Track::on_spring({5, 0}, Interpolation::linear, 1, false, 1000, {0, 10}, {3, 3});
+  const Track still = Track({Interpolation::linear, 1, false, 1000, {0, 10}, {3, 3}}).on_spring({5, 0});
   EXPECT_EQ(still.range(0).lower, 3);
   EXPECT_EQ(still.range(0).upper, 3);
 }
@@ -184,7 +184,7 @@ TEST(SpringTrack, RangeContainsResonance) {
     ticks.push_back(key * 500);
     values.push_back(key % 2 ? 1 : 0);
   }
-  const Track track = Track::on_spring(spring_of_frequency(1, 0), Interpolation::step, 1, false, 1000, ticks, values);
+  const Track track = Track({Interpolation::step, 1, false, 1000, ticks, values}).on_spring(spring_of_frequency(1, 0));
   double most = 0;
   for (std::int64_t tick = 0; tick < 25'000; ++tick) most = std::max(most, at(track, tick));
   EXPECT_GT(most, 35);
@@ -194,7 +194,7 @@ TEST(SpringTrack, RangeContainsResonance) {
 
 TEST(SpringTrack, BadSpringsAreErrors) {
   const auto refuses = [](const Spring& spring, Interpolation follows, const char* part) {
-    expect_error([&] { Track::on_spring(spring, follows, 1, false, 24, {0, 1}, {0, 1}); }, ErrorKind::bad_input, part);
+    expect_error([&] { Track({follows, 1, false, 24, {0, 1}, {0, 1}}).on_spring(spring); }, ErrorKind::bad_input, part);
   };
   refuses({0, 0.5}, Interpolation::linear, "angular frequency is 0");
   refuses({-1, 0.5}, Interpolation::linear, "angular frequency is -1");

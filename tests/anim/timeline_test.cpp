@@ -14,12 +14,16 @@ using reference::u64;
 constexpr std::int64_t one_frame = 1'000'000;  // ticks at 25 fps
 
 Track linear(int width, std::vector<double> values, std::int64_t first_frame = 0, std::int64_t last_frame = 100) {
-  return Track(Interpolation::linear, width, false, 25 * one_frame, {first_frame * one_frame, last_frame * one_frame},
-               std::move(values));
+  return Track({Interpolation::linear,
+                width,
+                false,
+                25 * one_frame,
+                {first_frame * one_frame, last_frame * one_frame},
+                std::move(values)});
 }
 
 Track step(std::vector<double> values) {
-  return Track(Interpolation::step, 1, false, 25 * one_frame, {0, 10 * one_frame}, std::move(values));
+  return Track({Interpolation::step, 1, false, 25 * one_frame, {0, 10 * one_frame}, std::move(values)});
 }
 
 Node node_at(const glm::dvec3& translation, int parent) {
@@ -57,7 +61,7 @@ TEST(Timeline, TracksReplaceConstantsAndTheStaticTransformComesFirst) {
   node.static_transform = CompositeTransform().translate({1, 0, 0}).matrix();
   node.scale_track = linear(3, {1, 1, 1, 3, 3, 3});
   node.translation_track = linear(3, {0, 0, 0, 10, 20, 30});
-  node.rotation_track = Track(Interpolation::step, 4, true, 25 * one_frame, {0}, {0, 0, 1, 1});
+  node.rotation_track = Track({Interpolation::step, 4, true, 25 * one_frame, {0}, {0, 0, 1, 1}});
   timeline.nodes = {node};
   timeline.validate();
   const glm::dmat4 m = evaluate(timeline, 50).node_to_world[0];
@@ -80,11 +84,9 @@ TEST(Timeline, LaterWeightTracksOverrideEarlierOnes) {
   MorphWeights morph;
   morph.weights = {0.125, 0.25, 0.5, 0.75};
   morph.tracks = {{1, linear(2, {0, 0, 1, 2})}, {2, linear(1, {7, 7})}};
-  timeline.weights = {morph, {}};
-  timeline.validate();
-  const FrameState state = evaluate(timeline, 37);
-  EXPECT_EQ(state.weights[0], (std::vector<double>{0.125, 0.37, 7, 0.75}));
-  EXPECT_TRUE(state.weights[1].empty());
+  validate(morph);
+  EXPECT_EQ(weights_at(morph, timeline.time, 37), (std::vector<double>{0.125, 0.37, 7, 0.75}));
+  EXPECT_TRUE(weights_at({}, timeline.time, 37).empty());
 }
 
 TEST(Timeline, FrameIsAPureFunctionOfItsNumber) {
@@ -177,12 +179,27 @@ TEST(Timeline, OverflowingMotionIsAnErrorThatNamesFrameAndNode) {
   expect_error([&] { evaluate(timeline, std::numeric_limits<std::int64_t>::min()); }, ErrorKind::usage, "out of range");
 }
 
+TEST(MorphWeightsValidate, NamesWhatIsWrong) {
+  const auto refuses = [](auto change, const char* part) {
+    MorphWeights morph;
+    morph.weights = {0, 0};
+    EXPECT_NO_THROW(validate(morph));
+    change(morph);
+    expect_error([&] { validate(morph); }, ErrorKind::bad_input, part);
+  };
+  const double nan = std::nan("");
+  refuses([](MorphWeights& morph) { morph.tracks = {{1, linear(2, {0, 0, 0, 0})}}; }, "weights: a track of 2");
+  refuses([](MorphWeights& morph) { morph.tracks = {{-1, linear(1, {0, 0})}}; }, "from target -1");
+  refuses([](MorphWeights& morph) { morph.tracks = {{std::numeric_limits<int>::max(), linear(1, {0, 0})}}; },
+          "do not exist");
+  refuses([&](MorphWeights& morph) { morph.weights[1] = nan; }, "weight 1");
+}
+
 TEST(TimelineValidate, NamesWhatIsWrong) {
   const auto refuses = [](auto change, const char* part) {
     Timeline timeline;
     timeline.nodes = {node_at({}, -1), node_at({}, 0)};
     timeline.nodes[1].name = "arm";
-    timeline.weights = {{{0, 0}, {}}};
     timeline.lights = {{}};
     EXPECT_NO_THROW(timeline.validate());
     change(timeline);
@@ -201,11 +218,6 @@ TEST(TimelineValidate, NamesWhatIsWrong) {
   refuses([&](Timeline& t) { t.nodes[1].static_transform[2][1] = nan; }, "static_transform is NaN");
   refuses([](Timeline& t) { t.nodes[1].static_transform[2][3] = 1; }, "0 0 0 1");
   refuses([](Timeline& t) { t.nodes[1].rotation = {0, 0, 0, 0}; }, "rotation is 0 0 0 0");
-  refuses([](Timeline& t) { t.weights[0].tracks = {{1, linear(2, {0, 0, 0, 0})}}; }, "weights[0]");
-  refuses([](Timeline& t) { t.weights[0].tracks = {{-1, linear(1, {0, 0})}}; }, "from target -1");
-  refuses([](Timeline& t) { t.weights[0].tracks = {{std::numeric_limits<int>::max(), linear(1, {0, 0})}}; },
-          "do not exist");
-  refuses([&](Timeline& t) { t.weights[0].weights[1] = nan; }, "weight 1");
   refuses([](Timeline& t) { t.camera.node = 2; }, "camera: node 2");
   refuses([](Timeline& t) { t.camera.node = -2; }, "camera: node -2");
   refuses([](Timeline& t) { t.camera.up_track = linear(1, {0, 0}); }, "the up track has 1");

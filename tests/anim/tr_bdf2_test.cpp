@@ -1,5 +1,6 @@
 // Nets of springs: forces, modes, and steps that never add energy.
 #include "anim/tr_bdf2.hpp"
+#include "anim/spring.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@ namespace morphcl {
 namespace {
 
 TEST(TrackRange, OfKeysIsThatOfTheirValues) {
-  const Track track(Interpolation::linear, 2, false, 1000, {0, 500, 900}, {1, -5, 3, 2, -2, 0});
+  const Track track({Interpolation::linear, 2, false, 1000, {0, 500, 900}, {1, -5, 3, 2, -2, 0}});
   EXPECT_EQ(track.range(0).lower, -2);
   EXPECT_EQ(track.range(0).upper, 3);
   EXPECT_EQ(track.range(1).lower, -5);
@@ -27,7 +27,7 @@ TEST(TrackRange, ContainsWhatACubicOvershoots) {
       if (key > 0) ticks.push_back(ticks.back() + 1 + static_cast<std::int64_t>(random() % 3000));
       for (int i = 0; i < 6; ++i) values.push_back(number(random));
     }
-    const Track track(Interpolation::cubic, 2, false, 1000, ticks, values);
+    const Track track({Interpolation::cubic, 2, false, 1000, ticks, values});
     for (int component = 0; component < 2; ++component) {
       const ValueRange range = track.range(component);
       for (std::int64_t tick = -5; tick <= ticks.back() + 5; ++tick) {
@@ -42,7 +42,7 @@ TEST(TrackRange, ContainsWhatACubicOvershoots) {
 
 // The bound is reached: both tangents of a key distance point outwards, u = 1/3 and 2/3.
 TEST(TrackRange, OfOneTangentIsTight) {
-  const Track track(Interpolation::cubic, 1, false, 3000, {0, 3000}, {0, 0, 27, 0, 0, 0});
+  const Track track({Interpolation::cubic, 1, false, 3000, {0, 3000}, {0, 0, 27, 0, 0, 0}});
   double peak;
   track.evaluate(1000, &peak);
   EXPECT_DOUBLE_EQ(peak, 4);
@@ -50,7 +50,7 @@ TEST(TrackRange, OfOneTangentIsTight) {
 }
 
 TEST(TrackRange, IsNotFiniteWhereACubicMayOverflow) {
-  const Track track(Interpolation::cubic, 1, false, 1, {0, 1000}, {0, 0, 1e308, 0, 0, 0});
+  const Track track({Interpolation::cubic, 1, false, 1, {0, 1000}, {0, 0, 1e308, 0, 0, 0}});
   EXPECT_FALSE(std::isfinite(track.range(0).upper));
 }
 

@@ -15,7 +15,7 @@ using reference::u64;
 constexpr std::int64_t second = 1000;  // ticks
 
 Track make(Interpolation interpolation, int width, std::vector<std::int64_t> ticks, std::vector<double> values) {
-  return Track(interpolation, width, false, second, std::move(ticks), std::move(values));
+  return Track({interpolation, width, false, second, std::move(ticks), std::move(values)});
 }
 
 double at(const Track& track, std::int64_t tick) {
@@ -60,8 +60,8 @@ TEST(Track, LinearIsExactAtKeysAndNeverLeavesEqualOnes) {
 // A hundred steps from 0 to 1: step i is the number nearest to i/100, from whichever side it is reached.
 TEST(Track, HundredMorphStepsAreExact) {
   const TimeBase time;
-  const Track track(Interpolation::linear, 1, false, time.ticks_per_second(),
-                    {time.frame_ticks(0), time.frame_ticks(100)}, {0, 1});
+  const Track track(
+      {Interpolation::linear, 1, false, time.ticks_per_second(), {time.frame_ticks(0), time.frame_ticks(100)}, {0, 1}});
   for (int step = 100; step >= 0; --step) EXPECT_EQ(at(track, time.frame_ticks(step)), step / 100.0) << step;
   EXPECT_EQ(at(track, time.frame_ticks(101)), 1);
   EXPECT_EQ(at(track, time.frame_ticks(-1)), 0);
@@ -119,7 +119,7 @@ TEST(Track, CubicTangentsScaleWithTheKeyDistance) {
 }
 
 Track rotation(Interpolation interpolation, std::vector<double> values) {
-  return Track(interpolation, 4, true, second, {0, 1000}, std::move(values));
+  return Track({interpolation, 4, true, second, {0, 1000}, std::move(values)});
 }
 
 TEST(RotationTrack, SlerpsAlongTheShorterArc) {
@@ -166,7 +166,7 @@ TEST(RotationTrack, CubicThroughZeroKeepsTheKeyBefore) {
 TEST(Track, BadTracksAreErrors) {
   const auto refuses = [](Interpolation i, int width, bool is_rotation, std::vector<std::int64_t> ticks,
                           std::vector<double> values, const char* part) {
-    expect_error([&] { Track(i, width, is_rotation, second, ticks, values); }, ErrorKind::bad_input, part);
+    expect_error([&] { Track({i, width, is_rotation, second, ticks, values}); }, ErrorKind::bad_input, part);
   };
   constexpr auto linear = Interpolation::linear, cubic = Interpolation::cubic;
   refuses(linear, 1, false, {}, {}, "0 keys");
@@ -182,7 +182,7 @@ TEST(Track, BadTracksAreErrors) {
   refuses(linear, 1, false, {0, 1}, {1, std::nan("")}, "key 1");
   refuses(linear, 1, false, {0}, {std::numeric_limits<double>::infinity()}, "NaN or infinite");
   refuses(linear, 4, true, {0}, {0, 0, 0, 0}, "0 0 0 0");
-  expect_error([] { Track(linear, 1, false, 0, {0}, {0}); }, ErrorKind::bad_input, "ticks a second");
+  expect_error([] { Track({linear, 1, false, 0, {0}, {0}}); }, ErrorKind::bad_input, "ticks a second");
   EXPECT_TRUE(Track().empty());
 }
 

@@ -100,7 +100,7 @@ std::string why_forbidden(const Include& include, const std::string& target, con
   const bool from_public = starts_with_folder(include.from, public_folder);
   const bool to_public = starts_with_folder(target, public_folder);
   // The header that users include to have everything stands above all rooms.
-  const std::string umbrella = "host/morphcl.hpp";
+  const std::string umbrella = public_folder + "/morphcl.hpp";
   if (include.from == umbrella && !is_outer(to)) return "";
   if (target == umbrella && !is_outer(from)) return "the library does not include its own umbrella header";
   if (from_public && !to_public) return "a public header includes public headers only";

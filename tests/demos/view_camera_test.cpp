@@ -141,10 +141,18 @@ TEST(ViewCamera, UpVectorAlongTheViewIsReplacedByThePicturesOwn) {
 
 TEST(ViewCamera, TracksAreTakenAtTheFrame) {
   Timeline timeline = timeline_with(kPerspective, {9, 9, 9});
-  timeline.camera.eye_track = Track(Interpolation::linear, 3, false, timeline.time.ticks_per_second(),
-                                    {0, timeline.time.frame_ticks(10)}, {0, 0, 4, 0, 0, 8});
-  timeline.camera.fovy_track = Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
-                                     {0, timeline.time.frame_ticks(10)}, {40, 60});
+  timeline.camera.eye_track = Track({Interpolation::linear,
+                                     3,
+                                     false,
+                                     timeline.time.ticks_per_second(),
+                                     {0, timeline.time.frame_ticks(10)},
+                                     {0, 0, 4, 0, 0, 8}});
+  timeline.camera.fovy_track = Track({Interpolation::linear,
+                                      1,
+                                      false,
+                                      timeline.time.ticks_per_second(),
+                                      {0, timeline.time.frame_ticks(10)},
+                                      {40, 60}});
   View view;
   view.eye_steps = 10;
   const Camera camera = view_camera(timeline, 5, view, {}, kSquare).value();

@@ -52,23 +52,26 @@ Scene ping_pong() {
   scene.timeline.camera.projection = Perspective{45, 1, 2000};
   scene.timeline.lights.emplace_back().vector = {0.4, 0.7, 0.9};
   const TimeBase time = scene.timeline.time;
-  const Track there_and_back(Interpolation::linear, 1, false, time.ticks_per_second(),
-                             {time.frame_ticks(0), time.frame_ticks(10), time.frame_ticks(20)}, {0, 1, 0});
-  scene.timeline.weights = {{.weights = {0}, .tracks = {{.first_target = 0, .track = there_and_back}}}};
+  const Track there_and_back({Interpolation::linear,
+                              1,
+                              false,
+                              time.ticks_per_second(),
+                              {time.frame_ticks(0), time.frame_ticks(10), time.frame_ticks(20)},
+                              {0, 1, 0}});
+  scene.objects[0].morph = {.weights = {0}, .tracks = {{.first_target = 0, .track = there_and_back}}};
   validate(scene);
   return scene;
 }
 
 Scene still() {
   Scene scene = ping_pong();
-  scene.timeline.weights = {{.weights = {0.5}, .tracks = {}}};
+  scene.objects[0].morph = {.weights = {0.5}, .tracks = {}};
   return scene;
 }
 
-RenderJob copying_job(const std::string& pattern, std::vector<std::int64_t> frames, const Scene& scene) {
+RenderJob copying_job(const std::string& pattern, std::vector<std::int64_t> frames) {
   RenderJob job = job_of(pattern, std::move(frames));
   job.reuse_equal_frames = true;
-  job.fingerprint = fingerprint(scene);
   return job;
 }
 
@@ -79,8 +82,8 @@ TEST(EqualFrames, TheWayBackIsCopiedAndHasTheBytesOfDrawnFrames) {
     Scene scene = ping_pong();
     scene.image.compression = compression;
     NotingRenderer copying, drawing;
-    const JobResult copied = run(copying_job(folder / "a.##.exr", range(0, 20), scene), scene, copying);
-    RenderJob job = copying_job(folder / "b.##.exr", range(0, 20), scene);
+    const JobResult copied = run(copying_job(folder / "a.##.exr", range(0, 20)), scene, copying);
+    RenderJob job = copying_job(folder / "b.##.exr", range(0, 20));
     job.reuse_equal_frames = false;
     const JobResult drawn = run(job, scene, drawing);
     EXPECT_EQ(copying.rendered, range(0, 10));
@@ -91,7 +94,7 @@ TEST(EqualFrames, TheWayBackIsCopiedAndHasTheBytesOfDrawnFrames) {
     for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
       EXPECT_EQ(copied.frames[i].hash, drawn.frames[i].hash) << "frame " << i;
       EXPECT_EQ(bytes_of(copied.frames[i].path), bytes_of(drawn.frames[i].path)) << "frame " << i;
-      EXPECT_TRUE(is_finished_frame(copied.frames[i].path, job.fingerprint)) << "frame " << i;
+      EXPECT_TRUE(is_finished_frame(copied.frames[i].path, fingerprint(scene))) << "frame " << i;
     }
     EXPECT_NE(copied.frames[3].hash, copied.frames[4].hash);
   }
@@ -102,7 +105,7 @@ TEST(EqualFrames, CopiesAreVerifiedAndHavePictures) {
   const Scene scene = ping_pong();
   const auto pictures = [&](const std::string& name, bool reuse) {
     NotingRenderer renderer;
-    RenderJob job = copying_job(folder / (name + ".##.exr"), {2, 18, 9, 11}, scene);
+    RenderJob job = copying_job(folder / (name + ".##.exr"), {2, 18, 9, 11});
     job.reuse_equal_frames = reuse;
     job.verify = job.preview = true;
     job.contact_sheet = folder / (name + ".png");
@@ -121,7 +124,7 @@ TEST(EqualFrames, StillShotIsDrawnOnce) {
   const Scene scene = still();
   for (const int threads : {1, 4}) {
     NotingRenderer renderer;
-    RenderJob job = copying_job(folder / "a.###.exr", range(0, 39), scene);
+    RenderJob job = copying_job(folder / "a.###.exr", range(0, 39));
     job.threads = threads;
     EXPECT_EQ(frames_of(run(job, scene, renderer), Status::copied), range(1, 39));
     EXPECT_EQ(renderer.rendered, range(0, 0));
@@ -135,7 +138,7 @@ TEST(EqualFrames, SourceThatGoesWhileTheJobRunsIsDrawnAgain) {
     const TemporaryFolder folder;
     const Scene scene = still();
     NotingRenderer renderer;
-    RenderJob job = copying_job(folder / "a.##.exr", range(0, 40), scene);
+    RenderJob job = copying_job(folder / "a.##.exr", range(0, 40));
     bool gone = false;
     job.on_frame = [&](const FrameResult& result) {
       if (result.frame != 5) return;  // some copies have been made
@@ -153,7 +156,7 @@ TEST(EqualFrames, SourceThatGoesWhileTheJobRunsIsDrawnAgain) {
     EXPECT_LE(renderer.rendered.size(), 30u) << "the picture drawn again is no source of copies";
     for (const FrameResult& frame : result.frames) {
       EXPECT_EQ(frame.hash, result.frames[0].hash) << "frame " << frame.frame;
-      EXPECT_EQ(is_finished_frame(frame.path, job.fingerprint), frame.frame != 0) << "frame " << frame.frame;
+      EXPECT_EQ(is_finished_frame(frame.path, fingerprint(scene)), frame.frame != 0) << "frame " << frame.frame;
     }
   }
 }
@@ -165,7 +168,7 @@ TEST(EqualFrames, FailedFramesHaveNoCopies) {
   renderer.before_draw = [](std::int64_t frame) {
     if (frame == 4) throw Error(ErrorKind::no_device, "", "the device is gone");
   };
-  const JobResult result = run(copying_job(folder / "a.##.exr", range(0, 20), scene), scene, renderer);
+  const JobResult result = run(copying_job(folder / "a.##.exr", range(0, 20)), scene, renderer);
   EXPECT_EQ(frames_of(result, Status::failed), range(4, 4));
   EXPECT_EQ(frames_of(result, Status::rendered), (std::vector<std::int64_t>{0, 1, 2, 3, 5, 6, 7, 8, 9, 10, 16}));
   EXPECT_TRUE(is_finished_frame(folder / "a.16.exr", fingerprint(scene)));
@@ -176,10 +179,10 @@ TEST(EqualFrames, FramesThatCouldNotBeWrittenHaveNoCopies) {
   const Scene scene = still();
   std::filesystem::create_directory(folder / "a.00.exr");  // stands where the first frame belongs
   NotingRenderer renderer;
-  const JobResult result = run(copying_job(folder / "a.##.exr", {1, 0, 2}, scene), scene, renderer);
+  const JobResult result = run(copying_job(folder / "a.##.exr", {1, 0, 2}), scene, renderer);
   EXPECT_EQ(frames_of(result, Status::failed), range(0, 0));
   NotingRenderer second;
-  const JobResult other = run(copying_job(folder / "a.##.exr", {3, 0, 4}, scene), scene, second);
+  const JobResult other = run(copying_job(folder / "a.##.exr", {3, 0, 4}), scene, second);
   EXPECT_EQ(frames_of(other, Status::copied), range(4, 4));
   EXPECT_EQ(frames_of(other, Status::failed), range(0, 0));
 }
@@ -189,20 +192,20 @@ TEST(EqualFrames, StopFinishesTheCopiesThatWereReached) {
   const Scene scene = still();
   NotingRenderer renderer;
   std::atomic<bool> stop{false};
-  RenderJob job = copying_job(folder / "a.####.exr", range(0, 5000), scene);
+  RenderJob job = copying_job(folder / "a.####.exr", range(0, 5000));
   job.stop = &stop;
   job.on_frame = [&](const FrameResult& result) { stop = stop || result.frame == 20; };
   const JobResult result = run(job, scene, renderer);
   EXPECT_TRUE(result.interrupted);
   EXPECT_LT(result.frames.size(), 100u) << "the queue of copies has no bound";
-  for (const FrameResult& frame : result.frames) EXPECT_TRUE(is_finished_frame(frame.path, job.fingerprint));
+  for (const FrameResult& frame : result.frames) EXPECT_TRUE(is_finished_frame(frame.path, fingerprint(scene)));
 }
 
 TEST(EqualFrames, ResumedJobsCopyToo) {
   const TemporaryFolder folder;
   const Scene scene = ping_pong();
   NotingRenderer first, second;
-  RenderJob job = copying_job(folder / "a.##.exr", range(0, 20), scene);
+  RenderJob job = copying_job(folder / "a.##.exr", range(0, 20));
   const JobResult before = run(job, scene, first);
   for (const char* name : {"a.03.exr", "a.17.exr", "a.12.exr"}) std::filesystem::remove(folder / name);
   job.resume = true;

@@ -51,7 +51,6 @@ inline RenderJob job_of(const std::string& pattern, std::vector<std::int64_t> fr
   job.frames = std::move(frames);
   job.threads = 2;
   job.reuse_equal_frames = false;
-  job.fingerprint = fingerprint(empty_scene());
   return job;
 }
 

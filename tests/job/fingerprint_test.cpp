@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "morphcl/solids.hpp"
 #include "tests/job/fake_renderer.hpp"
 
 namespace morphcl {
@@ -12,8 +13,17 @@ namespace {
 
 using job_test::empty_scene;
 
+// A scene made in code with something of every kind in it.
+Scene full_scene() {
+  Scene scene = empty_scene();
+  scene.add_object("solid", make_solid("pyramid_to_cube"));
+  scene.morph(0, "cube", Track::linear(scene.timeline.time, {{0, 0.0}, {10, 1.0}}));
+  scene.timeline.lights.emplace_back();
+  return scene;
+}
+
 TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
-  std::set<std::string> seen{fingerprint(empty_scene())};
+  std::set<std::string> seen{fingerprint(full_scene())};
   const std::function<void(Scene&)> changes[] = {
       [](Scene& s) { s.content_hash = "other"; },
       [](Scene& s) { s.image.width += 1; },
@@ -25,9 +35,43 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.accuracy_pixels = 0.01; },
       [](Scene& s) { s.timeline.time.fps_numerator = 24; },
       [](Scene& s) { s.timeline.time.fps_denominator = 2; },
+      [](Scene& s) { s.meshes[0].positions[3].y += 1; },
+      [](Scene& s) { s.meshes[0].triangles.pop_back(); },
+      [](Scene& s) { s.meshes[0].edges.pop_back(); },
+      [](Scene& s) { s.meshes[0].colors.resize(s.meshes[0].positions.size()); },
+      [](Scene& s) { s.meshes[0].normals.resize(s.meshes[0].positions.size()); },
+      [](Scene& s) { s.meshes[0].targets[0].positions[2].x += 1; },
+      [](Scene& s) { s.meshes[0].targets[0].form = TargetForm::delta; },
+      [](Scene& s) { s.objects[0].mesh = 1; },
+      [](Scene& s) { s.objects[0].node = 1; },
+      [](Scene& s) { s.objects[0].material.base_color.g = 0.5; },
+      [](Scene& s) { s.objects[0].material.shading = Shading::flat; },
+      [](Scene& s) { s.objects[0].material.double_sided = true; },
+      [](Scene& s) { s.objects[0].morph.weights[0] = 0.5; },
+      [](Scene& s) { s.objects[0].morph.elastic = Elastic{}; },
+      [](Scene& s) { s.objects[0].morph.elastic = Elastic{.rest = EdgeRest::base}; },
+      [](Scene& s) { s.morph(0, "cube", Track::linear(s.timeline.time, {{0, 0.0}, {11, 1.0}})); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = Track::linear(s.timeline.time, {{0, 0.0}, {10, 0.5}}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = Track::step(s.timeline.time, {{0, 0.0}, {10, 1.0}}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.5}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.25}); },
+      [](Scene& s) { s.timeline.nodes[0].static_transform[3].x = 1; },
+      [](Scene& s) { s.timeline.nodes[0].translation.x = 1; },
+      [](Scene& s) { s.timeline.nodes[0].rotation = {0.6, 0.8, 0, 0}; },
+      [](Scene& s) { s.timeline.nodes[0].scale.z = 2; },
+      [](Scene& s) { s.timeline.nodes[0].visible_track = Track::step(s.timeline.time, {{0, 1.0}, {5, 0.0}}); },
+      [](Scene& s) { s.timeline.camera.eye.x = 1; },
+      [](Scene& s) { s.timeline.camera.projection = Perspective{.fovy_degrees = 46}; },
+      [](Scene& s) { s.timeline.camera.projection = HorizontalPerspective{}; },
+      [](Scene& s) { s.timeline.camera.projection = Oblique{}; },
+      [](Scene& s) { s.timeline.camera.projection = Oblique{.shear = {0.5, 0}}; },
+      [](Scene& s) { s.timeline.camera.fovy_track = Track::linear(s.timeline.time, {{0, 45.0}, {9, 50.0}}); },
+      [](Scene& s) { s.timeline.lights[0].color.r = 0.5; },
+      [](Scene& s) { s.timeline.lights[0].kind = LightKind::point; },
+      [](Scene& s) { s.timeline.ambient.b = 0.5; },
   };
   for (std::size_t i = 0; i < std::size(changes); ++i) {
-    Scene scene = empty_scene();
+    Scene scene = full_scene();
     changes[i](scene);
     EXPECT_TRUE(seen.insert(fingerprint(scene)).second) << "change " << i;
   }

@@ -64,7 +64,7 @@ TEST(RenderJob, FramesCarryNumberRateAndFingerprint) {
   EXPECT_EQ(attributes.frame, 5);
   EXPECT_EQ(attributes.fps_numerator, 24000);
   EXPECT_EQ(attributes.fps_denominator, 1001);
-  EXPECT_EQ(attributes.fingerprint, job.fingerprint);
+  EXPECT_EQ(attributes.fingerprint, fingerprint(scene));
 }
 
 TEST(RenderJob, NoFramesAreNoWork) {
@@ -196,8 +196,9 @@ TEST(RenderJob, ResumeKeepsNothingOfAnotherJob) {
   FakeRenderer first, second;
   run(job, empty_scene(), first);
   job.resume = true;
-  job.fingerprint = "another";
-  run(job, empty_scene(), second);
+  Scene other = empty_scene();
+  other.timeline.camera.eye.x += 1;
+  run(job, other, second);
   EXPECT_EQ(second.rendered, range(0, 3));
 }
 

@@ -22,8 +22,12 @@ constexpr int width = 240, height = 160;
 
 // From 0 to 1 within 6 frames, then held.
 Track growing(const Timeline& timeline) {
-  return Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
-               {timeline.time.frame_ticks(2), timeline.time.frame_ticks(8)}, {0, 1});
+  return Track({Interpolation::linear,
+                1,
+                false,
+                timeline.time.ticks_per_second(),
+                {timeline.time.frame_ticks(2), timeline.time.frame_ticks(8)},
+                {0, 1}});
 }
 
 Elastic soft(double stiffness) {
@@ -43,8 +47,8 @@ Scene elastic_scene(Shading shading) {
   builder.add(make_sphere_to_cube({24, 16}), shading, place({1.2, 0, 0}, 0.6), {0.2, 0.6, 0.9, 1});
   Scene& scene = builder.scene();
   for (const std::size_t object : {0, 2}) {
-    scene.timeline.weights[object].tracks.push_back({0, growing(scene.timeline)});
-    scene.timeline.weights[object].elastic = soft(object == 0 ? 3000 : 9000);
+    scene.objects[object].morph.tracks.push_back({0, growing(scene.timeline)});
+    scene.objects[object].morph.elastic = soft(object == 0 ? 3000 : 9000);
   }
   scene.frames = {{0, 60, 1}};
   validate(scene);
@@ -95,10 +99,9 @@ TEST(ElasticObject, TwoOfOneMeshMoveEachOnItsOwn) {
   scene.objects[1].node = 1;
   scene.timeline.nodes.push_back(scene.timeline.nodes[0]);
   scene.timeline.nodes[1].static_transform = place({1.5, 0, 0});
-  scene.timeline.weights.push_back(scene.timeline.weights[0]);
   for (const std::size_t object : {0, 1}) {
-    scene.timeline.weights[object].tracks.push_back({0, growing(scene.timeline)});
-    scene.timeline.weights[object].elastic = soft(object == 0 ? 10 : 1e5);
+    scene.objects[object].morph.tracks.push_back({0, growing(scene.timeline)});
+    scene.objects[object].morph.elastic = soft(object == 0 ? 10 : 1e5);
   }
   validate(scene);
   const Planner planner(scene);
@@ -147,11 +150,11 @@ TEST(ElasticObject, AreSeenWhereTheirSpringsThrowThem) {
   mesh.targets = {lifted};
   builder.add(mesh, Shading::flat, place({0, -4.6, 0}, 0.3));
   Scene& scene = builder.scene();
-  scene.timeline.weights[0].tracks.push_back(
-      {0, Track(Interpolation::step, 1, false, scene.timeline.time.ticks_per_second(), {0, 1}, {0, 1})});
+  scene.objects[0].morph.tracks.push_back(
+      {0, Track({Interpolation::step, 1, false, scene.timeline.time.ticks_per_second(), {0, 1}, {0, 1}})});
   std::set<bool> seen;
   for (const bool elastic : {false, true}) {
-    if (elastic) scene.timeline.weights[0].elastic = Elastic{.anchor = 60, .stiffness = 500, .damping = 0.5};
+    if (elastic) scene.objects[0].morph.elastic = Elastic{.anchor = 60, .stiffness = 500, .damping = 0.5};
     const Planner planner(scene), careful(scene, {.leave_out = false});
     const auto device = make_device_renderer(shared_session());
     bool ever = false;
@@ -185,8 +188,8 @@ TEST(ElasticObject, StiffEdgesOfAnyRatioStayFinite) {
   SceneBuilder builder(width, height);
   builder.add(make_sphere_to_cube({24, 16}), Shading::flat, glm::dmat4(1.0));
   Scene& scene = builder.scene();
-  scene.timeline.weights[0].tracks.push_back({0, growing(scene.timeline)});
-  scene.timeline.weights[0].elastic =
+  scene.objects[0].morph.tracks.push_back({0, growing(scene.timeline)});
+  scene.objects[0].morph.elastic =
       Elastic{.anchor = 1, .stiffness = 1e12, .damping = 0.1, .rule = EdgeStiffness::by_length};
   const Planner planner(scene);
   for (const std::int64_t frame : {3, 8, 40, 100}) {
@@ -200,8 +203,8 @@ TEST(ElasticObject, StiffEdgesOfAnyRatioStayFinite) {
 
 TEST(ElasticObject, AMotionThatOverflowsNamesItsObject) {
   Scene scene = elastic_scene(Shading::flat);
-  scene.timeline.weights[0].tracks[0].track =
-      Track(Interpolation::linear, 1, false, scene.timeline.time.ticks_per_second(), {0, 1}, {0, 1e300});
+  scene.objects[0].morph.tracks[0].track =
+      Track({Interpolation::linear, 1, false, scene.timeline.time.ticks_per_second(), {0, 1}, {0, 1e300}});
   try {
     plan_frame(scene, 3);
     ADD_FAILURE() << "nothing was thrown";

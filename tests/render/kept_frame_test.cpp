@@ -16,7 +16,7 @@ Track steps(const Timeline& timeline, int components, const std::vector<double>&
   std::vector<std::int64_t> ticks;
   for (std::size_t frame = 0; frame * components < values.size(); ++frame)
     ticks.push_back(timeline.time.frame_ticks(static_cast<std::int64_t>(frame)));
-  return Track(Interpolation::step, components, false, timeline.time.ticks_per_second(), ticks, values);
+  return Track({Interpolation::step, components, false, timeline.time.ticks_per_second(), ticks, values});
 }
 
 // Something stands still, something moves, something comes and goes (its vertices change their place among the others),
@@ -34,7 +34,7 @@ Scene lively_scene(Shading shading) {
       steps(timeline, 3, {0, 0, 0, 0.5, 0, 0, 1, 0.5, 0, 1, 0.5, 0, 1, 0.5, 0, -1, -2, 0, -1, -2, 0});
   timeline.nodes[2].visible_track = steps(timeline, 1, {1, 0, 1, 1, 1, 0, 0});
   timeline.nodes[3].static_transform = place({0, -1, 1}, 0.01) * place({-100, -100, -65});
-  timeline.weights[3].tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 0.5, 0.5, 1, 1})});
+  scene.objects[3].morph.tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 0.5, 0.5, 1, 1})});
   timeline.camera.eye_track = steps(timeline, 3, {3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, -4, 3, 5});
   timeline.lights[0].vector_track =
       steps(timeline, 3, {.4, .7, .9, .4, .7, .9, .4, .7, .9, .4, .7, .9, -.4, .7, .9, -.4, .7, .9, -.4, .7, .9});
@@ -109,8 +109,8 @@ TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
     scene_ = builder.scene();
   }
   Timeline& timeline = scene_.timeline;
-  timeline.weights[0].tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 1, 1, 0, 0.25})});
-  timeline.weights[2].tracks.push_back({0, steps(timeline, 1, {0.5, 1, 0, 1, 1, 0, 0})});
+  scene_.objects[0].morph.tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 1, 1, 0, 0.25})});
+  scene_.objects[2].morph.tracks.push_back({0, steps(timeline, 1, {0.5, 1, 0, 1, 1, 0, 0})});
   const Planner planner(scene_);
   FrameBuffer buffer(width, height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
@@ -137,7 +137,7 @@ TEST_P(KeptFrame, TheCameraTurnsAwayFromEverythingAndBack) {
   builder.add(make_pyramid_to_cube(), GetParam(), place({0, 0, 0}, 0.01) * place({-100, -100, -65}));
   scene_ = builder.scene();
   Timeline& timeline = scene_.timeline;
-  timeline.weights[0].weights[0] = 0.5;
+  scene_.objects[0].morph.weights[0] = 0.5;
   timeline.camera.target_track = steps(timeline, 3, {0, 0, 0, 0, 0, 0, 9, 2, 9, 9, 2, 9, 0, 0, 0});
   const Planner planner(scene_);
   FrameBuffer buffer(width, height, true, true);

@@ -92,7 +92,7 @@ Track random_track(Random& random, int width, bool rotation, double reach) {
     const int per_key = kind == Interpolation::cubic ? 3 * width : width;
     for (int i = 0; i < per_key; ++i) values.push_back(random.number(reach));
   }
-  return Track(kind, width, rotation, 25'000'000, ticks, values);
+  return Track({kind, width, rotation, 25'000'000, ticks, values});
 }
 
 // Chains of few nodes with few tracks keep the bounds tight, so that each part of them is needed somewhere.
@@ -126,7 +126,7 @@ TEST(BoundsOverTime, HoldTheObjectAtEveryFrame) {
     ASSERT_TRUE(bounds);
     (sampler.is_still(nodes - 1) ? still : moving) += 1;
     for (std::int64_t frame = -1; frame < 30; ++frame) {
-      sampler.go_to(tick_of(timeline, frame));
+      sampler.go_to(tick_of(timeline.time, frame));
       for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p(sampler.to_world(nodes - 1) * glm::dvec4(box.corner(corner), 1.0));
         for (int axis = 0; axis < 3; ++axis) {
@@ -144,13 +144,13 @@ TEST(BoundsOverTime, OfWhatMayOverflowOrMovesTooDeepAreUnknown) {
   Timeline timeline;
   timeline.nodes.resize(70);
   for (int i = 0; i < 70; ++i) timeline.nodes[i].parent = i - 1;
-  timeline.nodes[0].scale_track = Track(Interpolation::step, 3, false, 25, {0}, {1, 1, 1});
+  timeline.nodes[0].scale_track = Track({Interpolation::step, 3, false, 25, {0}, {1, 1, 1}});
   const NodeSampler sampler(timeline.nodes);
   const Box box{{0, 0, 0}, {1, 1, 1}};
   EXPECT_TRUE(bounds_over_time(timeline.nodes, sampler, 63, box));
   EXPECT_FALSE(bounds_over_time(timeline.nodes, sampler, 64, box));
   timeline.nodes[0].scale_track =
-      Track(Interpolation::cubic, 3, false, 1, {0, 1000}, {0, 0, 0, 1, 1, 1, 1e308, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0});
+      Track({Interpolation::cubic, 3, false, 1, {0, 1000}, {0, 0, 0, 1, 1, 1, 1e308, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0}});
   EXPECT_FALSE(bounds_over_time(timeline.nodes, sampler, 0, box));
 }
 
@@ -158,7 +158,7 @@ TEST(WeightRanges, FollowTheLastTrackOfATarget) {
   MorphWeights morph;
   morph.weights = {0.25, 0, 0};
   const auto track = [](std::vector<double> values, int width) {
-    return Track(Interpolation::linear, width, false, 25, {0, 10}, std::move(values));
+    return Track({Interpolation::linear, width, false, 25, {0, 10}, std::move(values)});
   };
   morph.tracks = {{1, track({-5, 0, 5, 1}, 2)}, {1, track({0.5, 0.75}, 1)}};
   std::vector<Interval> ranges;
@@ -180,7 +180,7 @@ TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
     Scene& scene = b.scene();
     if (i % 3 == 0) scene.timeline.nodes.back().rotation_track = random_track(random, 4, true, 1);
     if (i % 5 == 0) scene.timeline.nodes.back().visible_track = random_track(random, 1, false, 1);
-    if (i % 2 == 0) scene.timeline.weights.back().tracks.push_back({0, random_track(random, 1, false, 1)});
+    if (i % 2 == 0) scene.objects.back().morph.tracks.push_back({0, random_track(random, 1, false, 1)});
   }
   b.look({0, 0, 4}).scene().timeline.camera.target_track = random_track(random, 3, false, 4);
   const Planner planner(b.scene());

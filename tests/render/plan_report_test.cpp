@@ -33,8 +33,12 @@ Scene there_and_back() {
   b.add(make_cube(), Shading::flat, place({1.2, 0, 0}, 0.4));
   Timeline& timeline = b.look({0, 0, 6}).scene().timeline;
   const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };
-  timeline.weights[0].tracks.push_back({0, Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
-                                                 {ticks(0), ticks(10), ticks(14), ticks(24)}, {0, 1, 1, 0})});
+  b.scene().objects[0].morph.tracks.push_back({0, Track({Interpolation::linear,
+                                                         1,
+                                                         false,
+                                                         timeline.time.ticks_per_second(),
+                                                         {ticks(0), ticks(10), ticks(14), ticks(24)},
+                                                         {0, 1, 1, 0}})});
   b.scene().frames = {{0, 24, 1}};
   return b.scene();
 }
@@ -81,8 +85,12 @@ TEST(PlanReport, NamesUnchangedObjects) {
   EXPECT_EQ(find_note(report_of(scene, 0), "unchanged objects"), nullptr) << "the shot's first frame";
   Scene zooming = scene;  // changes the matrices to clip space alone
   Timeline& timeline = zooming.timeline;
-  timeline.camera.fovy_track = Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
-                                     {0, timeline.time.frame_ticks(24)}, {45, 60});
+  timeline.camera.fovy_track = Track({Interpolation::linear,
+                                      1,
+                                      false,
+                                      timeline.time.ticks_per_second(),
+                                      {0, timeline.time.frame_ticks(24)},
+                                      {45, 60}});
   EXPECT_EQ(find_note(report_of(zooming, 12), "unchanged objects"), nullptr);
 }
 

@@ -62,8 +62,12 @@ TEST(Plan, HiddenObjectsAreLeftOut) {
   SceneBuilder b(64, 48);
   b.add(make_cube(), Shading::flat);
   Timeline& timeline = b.look({0, 0, 5}).scene().timeline;
-  timeline.nodes[0].visible_track = Track(Interpolation::step, 1, false, timeline.time.ticks_per_second(),
-                                          {0, timeline.time.frame_ticks(10)}, {0.0, 1.0});
+  timeline.nodes[0].visible_track = Track({Interpolation::step,
+                                           1,
+                                           false,
+                                           timeline.time.ticks_per_second(),
+                                           {0, timeline.time.frame_ticks(10)},
+                                           {0.0, 1.0}});
   EXPECT_EQ(plan_frame(b.scene(), 9).draws.size(), 0u);
   EXPECT_EQ(plan_frame(b.scene(), 10).draws.size(), 1u);
 }

@@ -13,7 +13,7 @@ Track keys(const Timeline& timeline, Interpolation interpolation, int width, con
   std::vector<std::int64_t> ticks;
   for (std::size_t frame = 0; frame * width < values.size(); ++frame)
     ticks.push_back(timeline.time.frame_ticks(static_cast<std::int64_t>(frame)));
-  return Track(interpolation, width, false, timeline.time.ticks_per_second(), ticks, values);
+  return Track({interpolation, width, false, timeline.time.ticks_per_second(), ticks, values});
 }
 
 // Pyramids in a row, the last ones partly out of view.
@@ -37,8 +37,8 @@ std::vector<std::uint64_t> versions(const Scene& scene, const std::vector<std::i
 
 TEST(DrawsVersion, StaysWhereOnlyWeightsMove) {
   Scene scene = row_of_pyramids();
-  for (MorphWeights& morph : scene.timeline.weights)
-    morph.tracks.push_back({0, keys(scene.timeline, Interpolation::linear, 1, {0.1, 1})});
+  for (Object& object : scene.objects)
+    object.morph.tracks.push_back({0, keys(scene.timeline, Interpolation::linear, 1, {0.1, 1})});
   const auto found = versions(scene, {0, 1, 0});
   EXPECT_EQ(found[0], found[1]);
   EXPECT_EQ(found[1], found[2]);
@@ -46,7 +46,7 @@ TEST(DrawsVersion, StaysWhereOnlyWeightsMove) {
 
 TEST(DrawsVersion, IsAnotherOneWhenATargetComesOrGoes) {
   Scene scene = row_of_pyramids();
-  scene.timeline.weights[5].tracks.push_back({0, keys(scene.timeline, Interpolation::step, 1, {0.5, 0, 0, 0.5})});
+  scene.objects[5].morph.tracks.push_back({0, keys(scene.timeline, Interpolation::step, 1, {0.5, 0, 0, 0.5})});
   const auto found = versions(scene, {0, 1, 2, 3});
   EXPECT_NE(found[0], found[1]);
   EXPECT_EQ(found[1], found[2]);
@@ -59,8 +59,7 @@ TEST(DrawsVersion, StaysWhileAnObjectThatMayComeIntoViewIsOutOfIt) {
   constexpr std::size_t aside = 5;
   Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.objects[aside].mesh)];
   for (glm::vec3& position : mesh.positions) position.x += 1e5f;
-  scene.timeline.weights[aside].tracks.push_back(
-      {0, keys(scene.timeline, Interpolation::linear, 1, {0, 0.25, 0.25, 1})});
+  scene.objects[aside].morph.tracks.push_back({0, keys(scene.timeline, Interpolation::linear, 1, {0, 0.25, 0.25, 1})});
   const Planner planner(scene);
   std::vector<FramePlan> plans;
   for (const std::int64_t frame : {0, 1, 2, 3}) plans.push_back(planner.plan(frame));
@@ -91,7 +90,7 @@ TEST(SharedWeights, AreThoseOfTheObject) {
   Timeline& timeline = scene.timeline;
   const double ends[] = {1, 1, 0.5, 0.5, 1, 0.25, 0.25, 0.25, 1, 1, 1, 0.75};
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    timeline.weights[i].tracks.push_back({0, keys(timeline, Interpolation::linear, 1, {0.125, ends[i]})});
+    scene.objects[i].morph.tracks.push_back({0, keys(timeline, Interpolation::linear, 1, {0.125, ends[i]})});
   const Planner planner(scene);
   for (const std::int64_t frame : {1, 0, 1})
     for (const Draw& draw : planner.plan(frame).draws)
@@ -101,9 +100,12 @@ TEST(SharedWeights, AreThoseOfTheObject) {
 TEST(SharedWeights, ThatOverflowAreAnErrorEachTime) {
   Scene scene = row_of_pyramids();
   constexpr double huge = 1e308;
-  scene.timeline.weights[5].tracks.push_back(
-      {0, Track(Interpolation::cubic, 1, false, scene.timeline.time.ticks_per_second(),
-                {0, scene.timeline.time.frame_ticks(1000)}, {0, 0, huge, -huge, 0, 0})});
+  scene.objects[5].morph.tracks.push_back({0, Track({Interpolation::cubic,
+                                                     1,
+                                                     false,
+                                                     scene.timeline.time.ticks_per_second(),
+                                                     {0, scene.timeline.time.frame_ticks(1000)},
+                                                     {0, 0, huge, -huge, 0, 0}})});
   const Planner planner(scene);
   for (int i = 0; i < 2; ++i) EXPECT_THROW(planner.plan(500), Error);
 }

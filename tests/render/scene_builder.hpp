@@ -27,7 +27,7 @@ class SceneBuilder {
     Node node;
     node.static_transform = transform;
     scene_.timeline.nodes.push_back(node);
-    scene_.timeline.weights.push_back({std::vector<double>(mesh.targets.size(), 0.0), {}});
+    object.morph.weights.assign(mesh.targets.size(), 0.0);
     scene_.meshes.push_back(std::move(mesh));
     scene_.objects.push_back(object);
     return object.mesh;
@@ -43,7 +43,7 @@ class SceneBuilder {
     return *this;
   }
   SceneBuilder& weight(int object, double value, int target = 0) {
-    scene_.timeline.weights[object].weights[target] = value;
+    scene_.objects[object].morph.weights[target] = value;
     return *this;
   }
   SceneBuilder& point_light(const glm::dvec3& position, const glm::dvec3& color, bool falloff) {

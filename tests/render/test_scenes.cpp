@@ -248,10 +248,15 @@ Scene pyramid_to_cube(int w, int h) {
   Timeline& timeline = b.look({1.5, -3.0, 2.0}).scene().timeline;
   timeline.camera.up = {0, 0, 1};
   const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };
-  timeline.weights[0].tracks.push_back({0, Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(),
-                                                 {ticks(0), ticks(100)}, {0.0, 1.0})});
-  timeline.nodes[0].rotation_track = Track(Interpolation::linear, 4, true, timeline.time.ticks_per_second(),
-                                           {ticks(0), ticks(100)}, {0, 0, 0, 1, 0, 0, 0.6, 0.8});
+  b.scene().objects[0].morph.tracks.push_back(
+      {0,
+       Track({Interpolation::linear, 1, false, timeline.time.ticks_per_second(), {ticks(0), ticks(100)}, {0.0, 1.0}})});
+  timeline.nodes[0].rotation_track = Track({Interpolation::linear,
+                                            4,
+                                            true,
+                                            timeline.time.ticks_per_second(),
+                                            {ticks(0), ticks(100)},
+                                            {0, 0, 0, 1, 0, 0, 0.6, 0.8}});
   b.scene().frames = {{0, 100, 1}};
   return b.scene();
 }

@@ -34,7 +34,7 @@ struct ExactVertex {
 };
 ExactVertex exact_vertex(const Scene& scene, const FramePlan& plan, const Draw& draw, std::size_t vertex) {
   const Object& object = scene.objects[draw.object];
-  const std::vector<double>& weights = scene.timeline.weights[draw.object].weights;
+  const std::vector<double>& weights = scene.objects[draw.object].morph.weights;
   const ViewVolume volume = make_view_volume(scene.timeline.camera.projection, plan.width, plan.height);
   Exact p[4] = {0, 0, 0, 1};
   for (int c = 0; c < 3; ++c) {
@@ -97,7 +97,7 @@ Scene far_morph(const glm::dvec3& middle) {
     absolute.positions.push_back(p + 0.5f * glm::vec3(unit(random), unit(random), unit(random)));
   }
   mesh.targets = {delta, absolute};
-  scene.timeline.weights[0].weights = {0.7, 0.4};
+  scene.objects[0].morph.weights = {0.7, 0.4};
   return scene;
 }
 

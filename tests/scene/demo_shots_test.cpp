@@ -28,7 +28,8 @@ TEST(DemoShots, PyramidToCubeMorphsInAHundredSteps) {
   EXPECT_EQ(scene.image.width, 1920);
   EXPECT_EQ(scene.image.height, 1080);
   for (const std::int64_t frame : frames)
-    EXPECT_EQ(evaluate(scene.timeline, frame).weights[0][0], static_cast<double>(frame) / 100) << "frame " << frame;
+    EXPECT_EQ(weights_at(scene.objects[0].morph, scene.timeline.time, frame)[0], static_cast<double>(frame) / 100)
+        << "frame " << frame;
 }
 
 TEST(DemoShots, WireframeTurnsHalfADegreeAFrame) {

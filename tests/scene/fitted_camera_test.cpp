@@ -27,9 +27,10 @@ Seen seen(const Scene& scene) {
     const FrameState state = evaluate(scene.timeline, frame);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const Mesh& mesh = scene.meshes[scene.objects[i].mesh];
+      const std::vector<double> weights = weights_at(scene.objects[i].morph, scene.timeline.time, frame);
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         glm::dvec3 p(mesh.positions[v]);
-        if (!mesh.targets.empty()) p = glm::mix(p, glm::dvec3(mesh.targets[0].positions[v]), state.weights[i][0]);
+        if (!mesh.targets.empty()) p = glm::mix(p, glm::dvec3(mesh.targets[0].positions[v]), weights[0]);
         const glm::dvec4 eye =
             state.camera.world_to_eye * state.node_to_world[scene.objects[i].node] * glm::dvec4(p, 1);
         const double distance = -eye.z;
@@ -117,15 +118,16 @@ TEST(FittedCamera, OfAnEmptySceneLooksAtTheOrigin) {
 
 TEST(AnimationRange, EndsAtTheLastWholeFrameAndIsBounded) {
   std::vector<std::string> warnings;
-  Timeline timeline;
+  Scene scene;
+  Timeline& timeline = scene.timeline;
   timeline.nodes.emplace_back();
   const auto with_last_key = [&](double frame) {
     const TimeBase& time = timeline.time;
     timeline.nodes[0].visible_track =
-        Track(Interpolation::step, 1, false, time.ticks_per_second(), {time.frames_to_ticks(frame)}, {1});
-    return animation_range(timeline, warnings).last;
+        Track({Interpolation::step, 1, false, time.ticks_per_second(), {time.frames_to_ticks(frame)}, {1}});
+    return animation_range(scene, warnings).last;
   };
-  EXPECT_EQ(animation_range(timeline, warnings).last, 0);
+  EXPECT_EQ(animation_range(scene, warnings).last, 0);
   EXPECT_EQ(with_last_key(10), 10);
   EXPECT_EQ(with_last_key(10.5), 10);
   EXPECT_EQ(with_last_key(-3), 0);

@@ -71,7 +71,7 @@ TEST_F(GltfAnimation, NormalizedIntegerWeightsAndRotations) {
   file.animation(0, "rotation", times, rotations);
   const ImportedModel model = import(file);
   const std::int64_t second = TimeBase{}.ticks_per_second();
-  EXPECT_EQ(value_at(model.weights[0].tracks[0].track, second), std::vector<double>{51 / 255.0});
+  EXPECT_EQ(value_at(model.objects[0].morph.tracks[0].track, second), std::vector<double>{51 / 255.0});
   EXPECT_EQ(value_at(model.nodes[0].rotation_track, second), (std::vector<double>{0, 1, 0, 0}));
   EXPECT_EQ(model.duration_seconds, 1);
 }
@@ -82,10 +82,10 @@ TEST_F(GltfAnimation, OneAnimatedNodeMovesAllItsPrimitives) {
   file.node({{"mesh", 0}});
   file.animate(0, "weights", {0, 2}, {0, 1});
   const ImportedModel model = import(file);
-  ASSERT_EQ(model.weights.size(), 4u);
-  EXPECT_EQ(model.weights[0].tracks.size(), 1u);
-  EXPECT_EQ(model.weights[1].tracks.size(), 1u);
-  EXPECT_EQ(model.weights[2].tracks.size(), 0u) << "another node of the same mesh";
+  ASSERT_EQ(model.objects.size(), 4u);
+  EXPECT_EQ(model.objects[0].morph.tracks.size(), 1u);
+  EXPECT_EQ(model.objects[1].morph.tracks.size(), 1u);
+  EXPECT_EQ(model.objects[2].morph.tracks.size(), 0u) << "another node of the same mesh";
 }
 
 TEST_F(GltfAnimation, AnimationsAreMergedAndTheFirstOfTwoWins) {

@@ -146,9 +146,9 @@ TEST_P(RealFile, HasTheStructureThatTinygltfSees) {
     });
     EXPECT_TRUE(found) << "object " << i << " has " << drawn.positions.size()
                        << " vertices, as no primitive of its mesh";
-    EXPECT_EQ(model.weights[i].weights.size(), drawn.targets.size());
+    EXPECT_EQ(model.objects[i].morph.weights.size(), drawn.targets.size());
     if (!mesh.weights.empty() && node.weights.empty()) {
-      EXPECT_EQ(model.weights[i].weights, mesh.weights);
+      EXPECT_EQ(model.objects[i].morph.weights, mesh.weights);
     }
   }
 }

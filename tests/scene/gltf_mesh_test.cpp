@@ -198,7 +198,7 @@ TEST_F(GltfMeshes, TwoHundredAndSixtyTargetsAreKept) {
   const ImportedModel model = import(file);
   ASSERT_EQ(model.meshes[0].targets.size(), 260u);
   EXPECT_EQ(model.meshes[0].targets[259].positions[0], glm::vec3(0, 0, 260));
-  EXPECT_EQ(model.weights[0].weights.size(), 260u);
+  EXPECT_EQ(model.objects[0].morph.weights.size(), 260u);
 }
 
 TEST_F(GltfMeshes, PrimitivesShareNodeAndWeights) {
@@ -214,9 +214,9 @@ TEST_F(GltfMeshes, PrimitivesShareNodeAndWeights) {
   EXPECT_EQ(model.objects[3].name, "second.1");
   EXPECT_EQ(model.objects[3].mesh, 1);
   EXPECT_EQ(model.objects[3].node, 1);
-  ASSERT_EQ(model.weights.size(), 4u);
-  EXPECT_EQ(model.weights[1].weights, (std::vector<double>{0.25, 0.75}));
-  EXPECT_EQ(model.weights[2].weights, (std::vector<double>{-1, 2}));  // the node's own come first
+  ASSERT_EQ(model.objects.size(), 4u);
+  EXPECT_EQ(model.objects[1].morph.weights, (std::vector<double>{0.25, 0.75}));
+  EXPECT_EQ(model.objects[2].morph.weights, (std::vector<double>{-1, 2}));  // the node's own come first
 }
 
 TEST_F(GltfMeshes, BinaryAndEmbeddedFilesHoldTheSame) {

@@ -43,7 +43,7 @@ TEST_F(ObjImport, QuadKeepsItsOwnSides) {
   EXPECT_EQ(model.objects[0].name, "plate");
   EXPECT_TRUE(model.objects[0].material.double_sided);
   EXPECT_EQ(model.objects[0].material.shading, Shading::flat);
-  EXPECT_EQ(model.weights.size(), 1u);
+  EXPECT_EQ(model.objects.size(), 1u);
   EXPECT_EQ(model.duration_seconds, 0);
   EXPECT_TRUE(model.warnings.empty());
 }
@@ -134,7 +134,7 @@ TEST_F(ObjImport, MorphTargetsAreAbsoluteAndNamedByTheirFiles) {
   EXPECT_EQ(read.targets[0].positions, (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(read.targets[1].positions, read.positions);
   EXPECT_TRUE(read.targets[0].normals.empty());
-  EXPECT_EQ(model.weights[0].weights, (std::vector<double>{0, 0}));
+  EXPECT_EQ(model.objects[0].morph.weights, (std::vector<double>{0, 0}));
   EXPECT_NE(model.content_hash, import_obj(neutral).content_hash);
 }
 

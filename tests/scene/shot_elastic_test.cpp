@@ -12,13 +12,13 @@ constexpr const char* morphing =
     "[[object]]\nmesh = \"pyramid_to_cube\"\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 0], [50, 1]]\n";
 
 TEST(ShotElastic, IsNoneUnlessAskedFor) {
-  EXPECT_FALSE(ShotFolder().load(morphing).timeline.weights[0].elastic.has_value());
+  EXPECT_FALSE(ShotFolder().load(morphing).objects[0].morph.elastic.has_value());
 }
 
 TEST(ShotElastic, HasDefaults) {
   const Scene scene = ShotFolder().load(std::string(morphing) + "[object.elastic]\n");
-  ASSERT_TRUE(scene.timeline.weights[0].elastic.has_value());
-  const Elastic& elastic = *scene.timeline.weights[0].elastic;
+  ASSERT_TRUE(scene.objects[0].morph.elastic.has_value());
+  const Elastic& elastic = *scene.objects[0].morph.elastic;
   EXPECT_EQ(elastic.anchor, 400);
   EXPECT_EQ(elastic.stiffness, 4000);
   EXPECT_EQ(elastic.damping, 4);
@@ -33,7 +33,7 @@ TEST(ShotElastic, ReadsItsKeys) {
   const Scene scene = ShotFolder().load(std::string(morphing) +
                                         "[object.elastic]\nanchor = 9\nstiffness = 1e12\ndamping = 0.5\n"
                                         "edge_damping = 1e-8\nrest = \"base\"\nrule = \"by_length\"\n");
-  const Elastic& elastic = *scene.timeline.weights[0].elastic;
+  const Elastic& elastic = *scene.objects[0].morph.elastic;
   EXPECT_EQ(elastic.anchor, 9);
   EXPECT_EQ(elastic.stiffness, 1e12);
   EXPECT_EQ(elastic.damping, 0.5);

@@ -18,7 +18,9 @@ Scene with_track(const std::string& track, const std::string& before = "") {
   return ShotFolder().load(before + "[[object]]\nmesh = \"pyramid_to_cube\"\n[[object.track]]\n" + track);
 }
 
-double weight_at(const Scene& scene, std::int64_t frame) { return evaluate(scene.timeline, frame).weights[0][0]; }
+double weight_at(const Scene& scene, std::int64_t frame) {
+  return weights_at(scene.objects[0].morph, scene.timeline.time, frame)[0];
+}
 
 TEST(ShotTrack, LinearMorphIsExactAtEveryStep) {
   const Scene scene = with_track("target = \"morph.cube\"\nkeys = [[0, 0.0], [100, 1.0]]");

@@ -25,7 +25,7 @@ struct Counts {
 Counts count(const Scene& scene, const FramePlan& plan) {
   Counts counts;
   NodeSampler nodes(scene.timeline.nodes);
-  nodes.go_to(tick_of(scene.timeline, plan.frame));
+  nodes.go_to(tick_of(scene.timeline.time, plan.frame));
   for (const Object& object : scene.objects)
     if (!has_primitives(object, scene.meshes[object.mesh]))
       ++counts.empty;

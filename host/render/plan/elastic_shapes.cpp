@@ -66,7 +66,7 @@ MorphDrive drive_of(const Mesh& mesh, const MorphWeights& weights) { return driv
 
 ElasticShapes::Body ElasticShapes::make_body(std::size_t object) const {
   const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(scene_.objects[object].mesh)];
-  const MorphWeights& weights = scene_.timeline.weights[object];
+  const MorphWeights& weights = scene_.objects[object].morph;
   WeldedMesh welded = weld(mesh);
   Body body;
   body.body = make_elastic_body(spring_net_of(mesh, welded, *weights.elastic), weights.elastic->rest,

@@ -39,11 +39,11 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
   std::vector<Interval> ranges;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    if (scene.timeline.weights[i].elastic) {
+    if (scene.objects[i].morph.elastic) {
       bounds.push_back(std::nullopt);  // its springs may throw it anywhere
       continue;
     }
-    weight_ranges(scene.timeline.weights[i], ranges);
+    weight_ranges(scene.objects[i].morph, ranges);
     bounds.push_back(bounds_over_time(scene.timeline.nodes, nodes, object.node, meshes[object.mesh].at(ranges)));
   }
   return bounds;
@@ -63,7 +63,7 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
   facts.reserve(scene.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const MorphWeights& weights = scene.timeline.weights[i];
+    const MorphWeights& weights = scene.objects[i].morph;
     const bool morphs = !weights.tracks.empty();
     // Weights decide how accurate vertices have to be.
     const bool only_weights_change = !weights.elastic && !(morphs && scene.accuracy_pixels > 0);
@@ -244,7 +244,7 @@ void Planner::Impl::add_draws(const ViewVolume& volume, FramePlan& plan) {
 FramePlan Planner::Impl::plan(std::int64_t frame) {
   const std::lock_guard lock(mutex);
   FramePlan plan;
-  tick = tick_of(scene.timeline, frame);
+  tick = tick_of(scene.timeline.time, frame);
   try {
     add_draws(start(frame, plan), plan);
   } catch (const Error& error) {

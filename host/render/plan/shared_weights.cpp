@@ -18,7 +18,7 @@ SharedWeights::SharedWeights(const Scene& scene) {
   std::map<int, std::uint32_t> last_of_mesh;
   values_of_.reserve(scene.objects.size());
   for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-    const MorphWeights& morph = scene.timeline.weights[object];
+    const MorphWeights& morph = scene.objects[object].morph;
     const auto [last, first_of_mesh] = last_of_mesh.emplace(scene.objects[object].mesh, 0u);
     if (first_of_mesh || !same_weights(*values_[last->second].morph, morph)) {
       last->second = static_cast<std::uint32_t>(values_.size());

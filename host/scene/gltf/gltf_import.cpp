@@ -55,11 +55,11 @@ void add_objects(const GltfDocument& document, std::size_t node, const GltfMesh&
     object.mesh = mesh.meshes[p];
     object.node = static_cast<int>(node);
     object.material = mesh.materials[p];
-    document.budget().charge(1, sizeof(Object) + object.name.size() + sizeof(MorphWeights), json.place());
+    document.budget().charge(1, sizeof(Object) + object.name.size(), json.place());
     document.budget().charge(weights.weights.size(), sizeof(double), json.place());
     document.budget().charge(animated_weights.bytes, 1, json.place());
+    object.morph = weights;
     model.objects.push_back(std::move(object));
-    model.weights.push_back(weights);
   }
 }
 

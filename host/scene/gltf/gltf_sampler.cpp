@@ -103,8 +103,8 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
   result.last_seconds = times.back();
   result.bytes = ticks.size() * sizeof(std::int64_t) + kept.size() * sizeof(double);
   try {
-    result.track = Track(interpolation, static_cast<int>(use.width), use.rotation, time.ticks_per_second(),
-                         std::move(ticks), std::move(kept));
+    result.track = Track({interpolation, static_cast<int>(use.width), use.rotation, time.ticks_per_second(),
+                          std::move(ticks), std::move(kept)});
   } catch (const Error& error) {
     throw error.at(json.place());
   }

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "anim/elastic.hpp"
+#include "anim/spring.hpp"
 #include "host/geometry/bounds.hpp"
 #include "host/math/angle.hpp"
 #include "host/math/look_at.hpp"
@@ -20,20 +22,21 @@ constexpr double fovy_degrees = 45, used_part = 0.7;
 constexpr std::size_t most_samples = 101, most_object_samples = 500'000;
 const glm::dvec3 view_from(1, 0.8, 1.7);
 
-bool moves(const Timeline& timeline) {
+bool moves(const Scene& scene) {
+  const Timeline& timeline = scene.timeline;
   const auto node_moves = [](const Node& node) {
     return !node.translation_track.empty() || !node.rotation_track.empty() || !node.scale_track.empty() ||
            !node.visible_track.empty();
   };
-  const auto morphs = [](const MorphWeights& weights) { return !weights.tracks.empty(); };
+  const auto morphs = [](const Object& object) { return !object.morph.tracks.empty(); };
   return std::any_of(timeline.nodes.begin(), timeline.nodes.end(), node_moves) ||
-         std::any_of(timeline.weights.begin(), timeline.weights.end(), morphs);
+         std::any_of(scene.objects.begin(), scene.objects.end(), morphs);
 }
 
 // Frames at which the bounds are taken.
 std::vector<std::int64_t> sample_frames(const Scene& scene) {
   const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
-  if (!moves(scene.timeline)) return {frames.front()};
+  if (!moves(scene)) return {frames.front()};
   const std::size_t affordable = most_object_samples / std::max<std::size_t>(scene.objects.size(), 1);
   const std::size_t samples = std::min(frames.size(), std::clamp<std::size_t>(affordable, 2, most_samples));
   std::vector<std::int64_t> chosen;
@@ -80,11 +83,11 @@ PyramidSupport support_of(const Scene& scene, const glm::dmat4& to_eye_axes, con
   PyramidSupport support(slope);
   for (const std::int64_t frame : sample_frames(scene)) {
     const FrameState state = evaluate(scene.timeline, frame);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const Object& object = scene.objects[i];
+    for (const Object& object : scene.objects) {
       const auto node = static_cast<std::size_t>(object.node);
       if (!state.node_visible[node]) continue;
-      const Box box = bounds[static_cast<std::size_t>(object.mesh)].at(state.weights[i]);
+      const Box box =
+          bounds[static_cast<std::size_t>(object.mesh)].at(weights_at(object.morph, scene.timeline.time, frame));
       include(box, to_eye_axes * state.node_to_world[node], support);
     }
   }
@@ -124,7 +127,8 @@ Light key_light() {
   return light;
 }
 
-FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& warnings) {
+FrameRange animation_range(const Scene& scene, std::vector<std::string>& warnings) {
+  const Timeline& timeline = scene.timeline;
   std::int64_t last_tick = 0;
   const auto include_track = [&](const Track& track, std::int64_t ticks_after = 0) {
     if (!track.empty()) last_tick = std::max(last_tick, track.end_tick() + ticks_after);
@@ -132,7 +136,8 @@ FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& w
   for (const Node& node : timeline.nodes)
     for (const Track* track : {&node.translation_track, &node.rotation_track, &node.scale_track, &node.visible_track})
       include_track(*track);
-  for (const MorphWeights& weights : timeline.weights) {
+  for (const Object& object : scene.objects) {
+    const MorphWeights& weights = object.morph;
     // An elastic object goes on until its slowest springs have settled.
     const double swinging = weights.elastic ? settling_seconds(anchor_spring(*weights.elastic)) : 0;
     for (const WeightTrack& track : weights.tracks)
@@ -153,7 +158,7 @@ FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& w
 
 void complete_scene(Scene& scene, const Given& given) {
   if (!given.lights) scene.timeline.lights.push_back(key_light());
-  if (!given.frames) scene.frames = {animation_range(scene.timeline, scene.warnings)};
+  if (!given.frames) scene.frames = {animation_range(scene, scene.warnings)};
   if (!given.camera) scene.timeline.camera = fitted_camera(scene);
 }
 

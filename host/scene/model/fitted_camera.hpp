@@ -25,7 +25,7 @@ Light key_light();
 
 // 0 to the last frame at or before the end of every track: its last key, a spring's or an elastic object's when
 // it has settled. Frame 0 alone when nothing moves. At most 1,000,000 frames: `warnings` then gets a line.
-FrameRange animation_range(const Timeline& timeline, std::vector<std::string>& warnings);
+FrameRange animation_range(const Scene& scene, std::vector<std::string>& warnings);
 
 // Adds to a scene that is complete otherwise what is not `given`.
 struct Given {

@@ -21,10 +21,9 @@ struct ImportLimits {
 
 struct ImportedModel {
   std::vector<Mesh> meshes;
-  std::vector<Object> objects;        // in the order they are drawn; may be empty
-  std::vector<Node> nodes;            // parents may come in any order
-  std::vector<MorphWeights> weights;  // one an object
-  std::optional<Camera> camera;       // sits in a node
+  std::vector<Object> objects;   // in the order they are drawn; may be empty
+  std::vector<Node> nodes;       // parents may come in any order
+  std::optional<Camera> camera;  // sits in a node
   std::vector<Light> lights;
   double duration_seconds = 0;        // time of the last key; 0 when nothing moves
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn

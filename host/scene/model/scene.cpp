@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "host/error.hpp"
 
@@ -31,29 +33,67 @@ void check_object(const Scene& scene, std::size_t index) {
   for (int c = 0; c < 4; ++c)
     if (!std::isfinite(object.material.base_color[c])) fail(fmt::format("{}: the base colour is not finite", name));
 
-  const MorphWeights& weights = scene.timeline.weights[index];
+  const MorphWeights& weights = object.morph;
   const std::size_t targets = scene.meshes[static_cast<std::size_t>(object.mesh)].targets.size();
   if (weights.weights.size() != targets)
     fail(fmt::format("{}: {} weights for {} morph targets", name, weights.weights.size(), targets));
-  for (const double weight : weights.weights)
-    if (!std::isfinite(weight)) fail(fmt::format("{}: a morph weight is not finite", name));
-  for (const WeightTrack& track : weights.tracks) {
-    const auto width = static_cast<std::size_t>(track.track.width());
-    if (track.first_target < 0 || track.track.empty() || static_cast<std::size_t>(track.first_target) + width > targets)
-      fail(fmt::format("{}: a weight track drives targets {} to {} of {}", name, track.first_target,
-                       track.first_target + track.track.width() - 1, targets));
+  try {
+    validate(weights);
+  } catch (const Error& error) {
+    fail(fmt::format("{}: {}", name, error.message()));
   }
 }
 
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::usage, "", message); }
+
+std::string names_of(const std::vector<MorphTarget>& targets) {
+  std::string names;
+  for (const MorphTarget& target : targets) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", target.name);
+  return names.empty() ? "it has none" : "it has " + names;
+}
+
 }  // namespace
+
+int Scene::add_object(std::string object_name, Mesh mesh, const CompositeTransform& placing) {
+  meshes.push_back(std::move(mesh));
+  return add_object(std::move(object_name), static_cast<int>(meshes.size()) - 1, placing);
+}
+
+int Scene::add_object(std::string object_name, int mesh, const CompositeTransform& placing) {
+  if (mesh < 0 || static_cast<std::size_t>(mesh) >= meshes.size())
+    refuse(fmt::format("object \"{}\": mesh {} of {}", object_name, mesh, meshes.size()));
+  Node node;
+  node.name = object_name;
+  node.static_transform = placing.matrix();
+  timeline.nodes.push_back(std::move(node));
+  Object object;
+  object.name = std::move(object_name);
+  object.mesh = mesh;
+  object.node = static_cast<int>(timeline.nodes.size()) - 1;
+  object.morph.weights.assign(meshes[static_cast<std::size_t>(mesh)].targets.size(), 0.0);
+  objects.push_back(std::move(object));
+  return static_cast<int>(objects.size()) - 1;
+}
+
+void Scene::morph(int object, std::string_view target, Track track) {
+  if (object < 0 || static_cast<std::size_t>(object) >= objects.size())
+    refuse(fmt::format("object {} of {}", object, objects.size()));
+  Object& morphed = objects[static_cast<std::size_t>(object)];
+  const std::vector<MorphTarget>& targets = meshes.at(static_cast<std::size_t>(morphed.mesh)).targets;
+  const auto found = std::find_if(targets.begin(), targets.end(),
+                                  [&](const MorphTarget& candidate) { return candidate.name == target; });
+  if (found == targets.end())
+    refuse(fmt::format("object \"{}\" has no morph target \"{}\"; {}", morphed.name, target, names_of(targets)));
+  if (track.width() != 1)
+    refuse(fmt::format("the weight of target \"{}\" is one number; the track has {}", target, track.width()));
+  morphed.morph.tracks.push_back({static_cast<int>(found - targets.begin()), std::move(track)});
+}
 
 void validate(const Scene& scene) {
   check_image(scene.image);
   frame_numbers(scene.frames);
   for (const Mesh& mesh : scene.meshes) validate(mesh);
   scene.timeline.validate();
-  if (scene.timeline.weights.size() != scene.objects.size())
-    fail(fmt::format("{} lists of morph weights for {} objects", scene.timeline.weights.size(), scene.objects.size()));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) check_object(scene, i);
 }
 

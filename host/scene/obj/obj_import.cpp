@@ -67,7 +67,7 @@ ImportedModel import_obj_targets(const std::string& neutral_path, const std::vec
   made.mesh.name = object.name;
   Node node;
   node.name = object.name;
-  model.weights.push_back({std::vector<double>(made.mesh.targets.size(), 0.0), {}});
+  object.morph.weights.assign(made.mesh.targets.size(), 0.0);
   model.nodes.push_back(std::move(node));
   model.objects.push_back(std::move(object));
   model.meshes.push_back(std::move(made.mesh));

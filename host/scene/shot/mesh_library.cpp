@@ -92,10 +92,9 @@ ImportedModel MeshLibrary::make_built_in(const ShotTable& object) {
   model.meshes.push_back(make_solid(name.text(), segments));
   Object part;
   part.name = name.text();
+  part.morph.weights.assign(model.meshes.back().targets.size(), 0.0);
   model.objects.push_back(part);
   model.nodes.emplace_back();
-  model.weights.emplace_back();
-  model.weights.back().weights.assign(model.meshes.back().targets.size(), 0.0);
   return model;
 }
 

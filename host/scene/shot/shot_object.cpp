@@ -100,7 +100,6 @@ void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model,
     read_material(table, part.material);
     scene_.objects.push_back(std::move(part));
   }
-  scene_.timeline.weights.insert(scene_.timeline.weights.end(), model.weights.begin(), model.weights.end());
 }
 
 void ObjectReader::read_track(const ShotValue& value, int root, std::size_t first_object,
@@ -127,7 +126,7 @@ void ObjectReader::make_elastic(const ShotValue& value, std::size_t first_object
     for (const MorphTarget& target : library_.mesh(scene_.objects[i].mesh).targets)
       if (!target.positions.empty()) {
         moves = true;
-        scene_.timeline.weights[i].elastic = elastic;
+        scene_.objects[i].morph.elastic = elastic;
       }
   if (!moves) value.fail("an elastic object follows its morph; the mesh has no morph targets that move vertices");
 }
@@ -142,7 +141,7 @@ void ObjectReader::drive_morph(const ShotTable& table, const std::string& name, 
     for (std::size_t t = 0; t < targets.size(); ++t) {
       known.push_back(targets[t].name);
       if (targets[t].name != name) continue;
-      scene_.timeline.weights[i].tracks.push_back({static_cast<int>(t), track});
+      scene_.objects[i].morph.tracks.push_back({static_cast<int>(t), track});
       found = true;
     }
   }

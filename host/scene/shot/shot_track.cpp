@@ -184,10 +184,11 @@ Track TrackReader::read(const ShotTable& track, KeyValue kind, double factor) {
   }
   return placed_at(list, [&] {
     const int components = static_cast<int>(width(kind));
-    return motion.spring ? Track::on_spring(*motion.spring, interpolation, components, rotation,
-                                            time_.ticks_per_second(), std::move(ticks), std::move(values))
-                         : Track(interpolation, components, rotation, time_.ticks_per_second(), std::move(ticks),
-                                 std::move(values));
+    return motion.spring ? Track({interpolation, components, rotation, time_.ticks_per_second(), std::move(ticks),
+                                  std::move(values)})
+                               .on_spring(*motion.spring)
+                         : Track({interpolation, components, rotation, time_.ticks_per_second(), std::move(ticks),
+                                  std::move(values)});
   });
 }
 

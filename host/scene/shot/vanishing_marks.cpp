@@ -17,11 +17,12 @@ const glm::dvec4 colors[3] = {{0.9, 0.1, 0.1, 1}, {0.1, 0.7, 0.1, 1}, {0.2, 0.4,
 
 Box bounds_of(const Scene& scene, const FrameState& state) {
   Box box;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const auto node = static_cast<std::size_t>(scene.objects[i].node);
+  for (const Object& object : scene.objects) {
+    const auto node = static_cast<std::size_t>(object.node);
     if (!state.node_visible[node]) continue;
-    const MorphBounds mesh(scene.meshes[static_cast<std::size_t>(scene.objects[i].mesh)]);
-    box.include(transformed(mesh.at(state.weights[i]), state.node_to_world[node]));
+    const MorphBounds mesh(scene.meshes[static_cast<std::size_t>(object.mesh)]);
+    const std::vector<double> weights = weights_at(object.morph, scene.timeline.time, state.frame);
+    box.include(transformed(mesh.at(weights), state.node_to_world[node]));
   }
   return box;
 }
@@ -76,7 +77,6 @@ void add_object(Mesh mesh, const glm::dvec4& color, Scene& scene) {
   Node node;
   node.name = mesh.name;
   scene.timeline.nodes.push_back(std::move(node));
-  scene.timeline.weights.emplace_back();
   scene.meshes.push_back(std::move(mesh));
   scene.objects.push_back(std::move(object));
 }

@@ -40,9 +40,10 @@ Variant<double> shipped_track() {
             auto tracks = std::make_shared<std::vector<Track>>();
             const auto in = [&](std::size_t p, std::size_t i) { return batch.truth.plane(p)[i]; };
             for (std::size_t i = 0; i < batch.size(); ++i)
-              tracks->emplace_back(Interpolation::cubic, 1, false, ticks_per_second,
-                                   std::vector<std::int64_t>{0, static_cast<std::int64_t>(in(5, i))},
-                                   std::vector<double>{0, in(0, i), in(1, i), in(3, i), in(2, i), 0});
+              tracks->emplace_back(TickKeys{.interpolation = Interpolation::cubic,
+                                            .ticks_per_second = ticks_per_second,
+                                            .ticks = {0, static_cast<std::int64_t>(in(5, i))},
+                                            .values = {0, in(0, i), in(1, i), in(3, i), in(2, i), 0}});
             return [tracks, ticks = batch.truth.plane(4)](Planes<double>& results) {
               for (std::size_t i = 0; i < tracks->size(); ++i)
                 (*tracks)[i].evaluate(static_cast<std::int64_t>(ticks[i]), &results.plane(0)[i]);

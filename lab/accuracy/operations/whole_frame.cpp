@@ -29,7 +29,7 @@ void add_object(Scene& scene, const char* name, Mesh mesh, const glm::dvec3& pla
   object.material.double_sided = true;
   scene.meshes.push_back(std::move(mesh));
   scene.timeline.nodes.emplace_back().translation = place;
-  scene.timeline.weights.push_back({std::vector<double>(scene.meshes.back().targets.size(), 0.0), {}});
+  object.morph.weights.assign(scene.meshes.back().targets.size(), 0.0);
 }
 
 Scene empty_scene(const glm::dvec3& eye, const glm::dvec3& target, const Perspective& projection) {

@@ -137,10 +137,11 @@ TEST(FrameDifference, ElasticObjectsAreComparedInTheShapeTheyHave) {
   b.add(make_sphere_to_cube({12, 6}), Shading::flat);
   Timeline& timeline = b.look({1.6, 1.3, 2.8}).scene().timeline;
   const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };
-  timeline.weights[0].tracks.push_back(
-      {0, Track(Interpolation::linear, 1, false, timeline.time.ticks_per_second(), {ticks(0), ticks(10)}, {0.0, 1.0})});
+  b.scene().objects[0].morph.tracks.push_back(
+      {0,
+       Track({Interpolation::linear, 1, false, timeline.time.ticks_per_second(), {ticks(0), ticks(10)}, {0.0, 1.0}})});
   Scene on_rails = b.scene();
-  timeline.weights[0].elastic = Elastic{};
+  b.scene().objects[0].morph.elastic = Elastic{};
   const FrameDifference d = compare_frame(b.scene(), b.scene(), 5);
   EXPECT_GT(d.total.pixels, 1000u);
   EXPECT_LE(different(d.total), d.total.pixels / 1000);

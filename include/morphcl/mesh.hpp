@@ -1,0 +1,43 @@
+// An indexed triangle mesh with any number of morph targets.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace morphcl {
+
+// A delta target holds differences to the base, as glTF does: p + w d. An absolute target holds the target's own
+// positions: (1-w) p + w b, exact at w = 0 and w = 1.
+enum class TargetForm { delta, absolute };
+
+struct MorphTarget {
+  std::string name;
+  TargetForm form = TargetForm::delta;
+  std::vector<glm::vec3> positions;  // one a vertex, or empty: the target does not move vertices
+  std::vector<glm::vec3> normals;    // one a vertex, or empty: the target keeps the base's normals
+  std::vector<glm::vec4> colors;     // one a vertex, or empty
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;   // at least one; all finite
+  std::vector<glm::vec3> normals;     // one a vertex, unit length, or empty: faces are lit flat
+  std::vector<glm::vec4> colors;      // one a vertex, linear RGBA in [0, 1], or empty: white
+  std::vector<glm::uvec3> triangles;  // counter-clockwise seen from outside
+  std::vector<glm::uvec2> edges;      // what wireframe draws; empty: the distinct edges of the triangles
+  std::vector<MorphTarget> targets;
+};
+
+// Throws Error(bad_input): an index out of range, an array of the wrong length, NaN or Inf, more than 2^29 triangles or
+// 2^31 vertices. The message names the array and the element.
+void validate(const Mesh& mesh);
+
+std::vector<glm::uvec2> distinct_edges(
+    const std::vector<glm::uvec3>& triangles);  // each once, smaller index first, sorted
+
+// The distinct edges if `edges` is empty, else `edges`.
+std::vector<glm::uvec2> wireframe_edges(const Mesh& mesh);
+
+}  // namespace morphcl

@@ -1,0 +1,35 @@
+// The whole library.
+//
+// A scene is loaded or built, a frame of it is planned, a renderer draws the plan (OpenCL device or plain C++
+// reference, the same bits), and the frame is written; run() does that for a range of frames.
+#pragma once
+
+#include "host/batch/transform_buffers.hpp"
+#include "host/batch/transform_reference.hpp"
+#include "host/batch/transform_vertices.hpp"
+#include "host/device/session.hpp"
+#include "host/image/exr_file.hpp"
+#include "host/image/frame_buffer.hpp"
+#include "host/job/render_job.hpp"
+#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/renderer.hpp"
+#include "host/render/plan/planner.hpp"
+#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/animated_transform.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/convention.hpp"
+#include "morphcl/depth_format.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/hidden_surfaces.hpp"
+#include "morphcl/mesh.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/predicates.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/rotation.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/timeline.hpp"
+#include "morphcl/track.hpp"
+#include "morphcl/transform.hpp"
+#include "morphcl/transform_2d.hpp"
+#include "morphcl/version.hpp"

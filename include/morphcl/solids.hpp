@@ -1,0 +1,76 @@
+// The built-in solids.
+//
+// Closed solids are wound counter-clockwise seen from outside; normals point outwards and have unit length. Unless
+// stated the solids are centred on the origin, y is up, and nothing reaches further than 1 from the centre along an
+// axis.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "morphcl/mesh.hpp"
+
+namespace morphcl {
+
+// How finely a curved solid is cut: u around, v from pole to pole (or along the other direction).
+struct Segments {
+  int u = 0, v = 0;
+};
+
+struct SolidInfo {
+  std::string_view name;
+  Segments minimum;  // {0, 0}: the solid has no segments
+  Segments standard;
+  int grids;  // it has grids (u+1)(v+1) vertices
+  std::string_view description;
+  Mesh (*make)(Segments);
+};
+
+// All solids, in the order of the documentation.
+const std::vector<SolidInfo>& solids();
+
+// The solid of that name, or null.
+const SolidInfo* find_solid(std::string_view name);
+
+// The solid's mesh, with its standard segments when none are given. Error(usage): an unknown name, segments for a solid
+// that has none, fewer than its minimum, or so many that the mesh would have more than max_solid_vertices vertices.
+Mesh make_solid(std::string_view name, std::optional<Segments> segments = std::nullopt);
+
+constexpr long long max_solid_vertices = 1LL << 27;
+
+// How many vertices make_solid would make. Throws the same errors, and makes nothing.
+long long solid_vertices(std::string_view name, std::optional<Segments> segments = std::nullopt);
+
+// The makers below do not check their segments: make_solid does.
+
+// The classic pyramid that grows into a box, z up, in its own coordinates: base z = 30 from (50, 50) to (150, 150), and
+// all four top corners in the apex (100, 100, 100). Target "cube" (absolute): top corners above the base's at z = 100.
+// 8 vertices, 12 triangles (four of them without area at weight 0), 12 edges, no normals. The box's centre is
+// (100, 100, 65).
+Mesh make_pyramid_to_cube();
+
+// Half-edge 1; 24 vertices, so that each face has its own normal; 12 edges.
+Mesh make_cube();
+
+// Radius 1. (u+1)(v+1) vertices: vertex (i, j) at the angle phi = 360 i/u degrees around and theta = 180 j/v from the
+// upper pole is (sin theta sin phi, cos theta, sin theta cos phi). 2u(v-1) triangles.
+Mesh make_sphere(Segments segments);
+
+// The sphere with the absolute target "cube": p / max |p_i|, with the normal of the cube's face (ties go to x, then y).
+// It keeps the plain grid's 2uv triangles: those at the poles have no area.
+Mesh make_sphere_to_cube(Segments segments);
+
+// Ring of radius 0.7 about the y axis with a tube of radius 0.3; u around the axis, v around the tube; (u+1)(v+1)
+// vertices.
+Mesh make_torus(Segments segments);
+
+// The square from -1 to 1 in the xz plane, facing +y; (u+1)(v+1) vertices. Not closed.
+Mesh make_grid(Segments segments);
+
+// Newell's teapot from its 32 bicubic Bezier patches, each cut into u x v quads, in the size of GLUT's teapot of size
+// 1: y up, spout towards +x, half the classic scale, raised so that the classic height 1.5 is y = 0; so x is in
+// [-1.5, 1.7171], y in [-0.75, 0.825], z in [-1, 1]. 32 (u+1)(v+1) vertices. Not closed: the lid does not meet the rim.
+Mesh make_teapot(Segments segments);
+
+}  // namespace morphcl

@@ -1,0 +1,138 @@
+// The timeline: everything that moves, and its state at a frame as a pure function of the frame number.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morphcl/projection.hpp"
+#include "morphcl/track.hpp"
+
+namespace morphcl {
+
+// A node of the hierarchy. node -> parent is translation * rotation * scale * static_transform; a track, where there is
+// one, replaces the constant beside it.
+struct Node {
+  std::string name;
+  int parent = -1;                   // index into Timeline::nodes, -1 for a root
+  glm::dmat4 static_transform{1.0};  // a shot's transform steps, or a glTF matrix
+  glm::dvec3 translation{0.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  // w x y z
+  glm::dvec3 scale{1.0};
+  Track translation_track, rotation_track, scale_track;  // width 3, 4 (rotation), 3
+  Track visible_track;                                   // width 1; visible where >= 0.5; a node hides what is below it
+};
+
+// How the vertices of an object follow its morph when they are masses on springs instead of points on rails.
+//
+// Every vertex is a mass of 1, tied to where the morph wants it (its anchor) and to its neighbours along the edges of
+// the mesh: with d(t) the displacement from the base mesh that the weights ask for and y the one it has,
+//   y'' + D y' + K_edges (y - r) + anchor (y - d) = 0,   D = damping + edge_damping K,   K = anchor + K_edges.
+
+// What the edges keep, r above.
+enum class EdgeRest {
+  driven,  // the shape that the morph has now: the object arrives at its targets
+  base     // the base mesh: the object resists, and comes the nearer to its targets the weaker the edges are
+};
+
+enum class EdgeStiffness {
+  equal,     // the same for every edge
+  by_length  // as for rods of one material: in inverse proportion to the length, `stiffness` at the mean length
+};
+
+struct Elastic {
+  double anchor = 400;      // 1/s^2: a vertex alone swings with sqrt(anchor) / (2 pi) Hz
+  double stiffness = 4000;  // 1/s^2, of an edge
+  double damping = 4;       // 1/s, of the velocity
+  double edge_damping = 0;  // s, of the stiffness: damps what is stiff more
+  EdgeRest rest = EdgeRest::driven;
+  EdgeStiffness rule = EdgeStiffness::equal;
+};
+
+// What a shot may ask for. Stiffness may be 0: then every vertex swings alone.
+constexpr double min_elastic_anchor = 1e-6, max_elastic_stiffness = 1e16;  // 1/s^2
+constexpr double max_elastic_damping = 1e8, max_elastic_edge_damping = 1;  // 1/s, s
+
+// The morph weights of one object. Tracks are applied in order; a later one overrides an earlier one.
+struct WeightTrack {
+  int first_target = 0;  // the track's width() components drive targets first_target, first_target + 1, ...
+  Track track;
+  bool operator==(const WeightTrack&) const = default;
+};
+struct MorphWeights {
+  std::vector<double> weights;  // one a target of the object's mesh; the value where no track drives it
+  std::vector<WeightTrack> tracks;
+  std::optional<Elastic> elastic = std::nullopt;  // its vertices follow the weights on springs
+};
+
+// Where a camera looks from. With node >= 0 the camera sits in that node's frame looking down its -z (glTF) and
+// eye/target/up are not used; scale, shear and mirroring of the node are ignored, so that distances stay the world's.
+struct Camera {
+  Projection projection = Perspective{};
+  int node = -1;
+  glm::dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
+  Track eye_track, target_track, up_track;              // width 3
+  Track fovy_track, fovx_track, near_track, far_track;  // width 1; fovy moves Perspective, fovx HorizontalPerspective
+};
+
+enum class LightKind { directional, point };
+
+// A directional light's `vector` points from the scene towards the light; a point light's is its world position. Colour
+// is scene-linear and includes the intensity; a point light does not fall off with distance unless `falloff`.
+struct Light {
+  LightKind kind = LightKind::directional;
+  glm::dvec3 vector{0, 0, 1};
+  glm::dvec3 color{1.0};
+  bool falloff = false;             // divide by squared distance
+  Track vector_track, color_track;  // width 3
+};
+
+struct Timeline {
+  TimeBase time;
+  std::vector<Node> nodes;  // parents may come in any order; validate() refuses cycles
+  Camera camera;
+  std::vector<Light> lights;
+  glm::dvec3 ambient{0.05};
+
+  // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
+  // width, a camera node out of range, a constant that is not finite, a rotation of length 0, a fovy or fovx track on a
+  // projection that has no such field of view.
+  void validate() const;
+};
+
+// Error(bad_input): a weight or spring that is not finite or out of its limits, a track that drives no target.
+void validate(const MorphWeights& morph);
+
+// The weights at a frame, one a target. `morph` has passed validate(). Error(usage) when |frame| > 1,000,000,
+// Error(bad_input) when a weight overflows.
+std::vector<double> weights_at(const MorphWeights& morph, const TimeBase& time, std::int64_t frame);
+
+struct CameraState {
+  Projection projection;
+  glm::dmat4 world_to_eye{1.0};
+  bool up_replaced = false;
+};
+struct LightState {
+  LightKind kind;
+  glm::dvec3 vector;  // directional: unit length
+  glm::dvec3 color;
+  bool falloff;
+};
+struct FrameState {
+  std::int64_t frame = 0;
+  std::vector<glm::dmat4> node_to_world;
+  std::vector<char> node_visible;
+  CameraState camera;
+  std::vector<LightState> lights;
+  glm::dvec3 ambient{0.05};
+};
+
+// `timeline` has passed validate(). Error(usage) when |frame| > 1,000,000. Error(bad_input), naming the frame, where
+// the motion itself goes wrong: eye meets target, a projection or a light's direction degenerates, a transform
+// overflows.
+FrameState evaluate(const Timeline& timeline, std::int64_t frame);
+
+}  // namespace morphcl

@@ -1,0 +1,13 @@
+// The version of the headers, and of the library that is linked.
+#pragma once
+
+#define MORPHCL_VERSION_MAJOR 0
+#define MORPHCL_VERSION_MINOR 1
+#define MORPHCL_VERSION_PATCH 0
+
+namespace morphcl {
+
+// Of the library: "0.1.0". Frames and kernels that another version made are not taken for this one's.
+const char* version();
+
+}  // namespace morphcl
