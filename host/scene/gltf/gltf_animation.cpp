@@ -38,7 +38,8 @@ class AnimationReader {
     const int sampler = channel.get("sampler").index(samplers.size(), "samplers");
     const GltfValue target = channel.get("target");
     const int node = target.index("node", nodes_.nodes.size(), "nodes");
-    const std::string& path = target.get("path").text();
+    const GltfValue target_path = target.get("path");
+    const std::string& path = target_path.text();
     if (node < 0) {
       if (path == "pointer") warnings_.not_drawn("extension KHR_animation_pointer");
       return;  // the specification: ignore a channel without a node

@@ -55,13 +55,13 @@ std::optional<GltfValue> light_array(const GltfDocument& document) {
 }
 
 std::optional<Light> read_light(const GltfValue& json, const glm::dmat4& to_world, GltfWarnings& warnings) {
-  const std::string& type = json.get("type").text();
-  if (type == "spot") {
+  const GltfValue type = json.get("type");
+  if (type.text() == "spot") {
     warnings.not_drawn("spot lights");
     return std::nullopt;
   }
-  if (type != "directional" && type != "point")
-    json.get("type").fail(fmt::format("is '{}'; directional, point or spot are types", type));
+  if (type.text() != "directional" && type.text() != "point")
+    type.fail(fmt::format("is '{}'; directional, point or spot are types", type.text()));
   Light light;
   const double intensity = json.number("intensity", 1.0);
   if (!(intensity >= 0)) json.get("intensity").fail(fmt::format("is {}; it must not be negative", intensity));
@@ -70,7 +70,7 @@ std::optional<Light> read_light(const GltfValue& json, const glm::dmat4& to_worl
     light.color = {c[0], c[1], c[2]};
   }
   light.color *= intensity / std::numbers::pi;
-  if (type == "point") {
+  if (type.text() == "point") {
     light.kind = LightKind::point;
     light.falloff = true;
     light.vector = glm::dvec3(to_world[3]);
