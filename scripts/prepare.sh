@@ -1,14 +1,32 @@
-# Shared by scripts/demo and scripts/test; sourced, not run. Works from the root of the repository.
+# Shared by scripts/demo, scripts/test and scripts/long; sourced, not run. Works from the root of the repository.
 
 say() { printf '== %s\n' "$*"; }
 
-# missing_packages STEP...: those of scripts/packages for these steps that are not installed, one a line.
-missing_packages() {
-  local step package rest
-  while read -r step package rest; do
+# The release that scripts/packages is read for: 12 or 13 on Debian.
+debian_release() { sed -n 's/^VERSION_ID="\?\([^"]*\)"\?$/\1/p' /etc/os-release; }
+
+# list_packages HAVING STEP...: the lines of scripts/packages for these steps, package first and then what it is for;
+# HAVING is `here` for those that this release uses, `elsewhere` for those that only another one does.
+list_packages() {
+  local having=$1 here step release package purpose
+  here=$(debian_release)
+  shift
+  while read -r step release package purpose; do
     [[ " $* " == *" $step "* ]] || continue
-    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+    if [[ $release == any || $release == "$here" ]]; then
+      [[ $having == elsewhere ]] || echo "$package $purpose"
+    else
+      [[ $having == here ]] || echo "$package $purpose"
+    fi
   done < <(grep -v '^#' scripts/packages)
+}
+
+# missing_packages STEP...: those for these steps that are not installed, one a line.
+missing_packages() {
+  local package purpose
+  while read -r package purpose; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+  done < <(list_packages here "$@")
 }
 
 # install_packages STEP...: installs what is missing. Asks nothing, and touches apt only when something is missing.
@@ -18,6 +36,10 @@ install_packages() {
     return
   fi
   local -a missing as_root=()
+  local package purpose
+  while read -r package purpose; do
+    say "without $package (Debian $(debian_release) leaves it out): $purpose"
+  done < <(list_packages elsewhere "$@")
   mapfile -t missing < <(missing_packages "$@")
   [[ ${#missing[@]} -gt 0 ]] || return 0
   if [[ $(id -u) -ne 0 ]]; then
