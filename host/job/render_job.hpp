@@ -28,9 +28,9 @@ struct FrameResult {
 };
 
 struct RenderJob {
-  std::string pattern;               // see FramePattern
-  std::vector<std::int64_t> frames;  // each once; empty: those of the scene
-  bool resume = false;               // keep the finished frames of the same fingerprint
+  std::string pattern;                    // see FramePattern
+  std::vector<std::int64_t> frames = {};  // each once; empty: those of the scene
+  bool resume = false;                    // keep the finished frames of the same fingerprint
   bool verify = false;  // read every frame back after it was written; one that reads back differently is removed
   // A frame whose plan shows the same picture as one that this job has written is copied from that one's file.
   bool reuse_equal_frames = true;
@@ -40,11 +40,11 @@ struct RenderJob {
   // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
   // large frames fewer, so that drawing does not wait for each flush.
   int frames_in_flight = 0;
-  PlanOptions plan;                                  // what is left out of frames; their pixels are the same
-  std::string contact_sheet;                         // a PNG of all frames, kept ones included; empty: none
-  bool preview = false;                              // a PNG beside each frame, its name ending in .png instead of .exr
-  std::function<void(const FrameResult&)> on_frame;  // called in order of completion, from one thread at a time
-  const std::atomic<bool>* stop = nullptr;           // set: finish what was drawn, write it and return
+  PlanOptions plan = {};           // what is left out of frames; their pixels are the same
+  std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
+  bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
+  std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
+  const std::atomic<bool>* stop = nullptr;                // set: finish what was drawn, write it and return
 };
 
 struct JobResult {
