@@ -27,7 +27,7 @@ struct Problem {
 
 double share_of(std::size_t mass) { return 1 + static_cast<double>(mass) / 8; }
 
-int derivative(realtype t, N_Vector y, N_Vector out, void* user) {
+int derivative(sunrealtype t, N_Vector y, N_Vector out, void* user) {
   const Problem& p = *static_cast<const Problem*>(user);
   const std::size_t n = p.net.masses;
   const double *x = N_VGetArrayPointer(y), *v = x + n;
@@ -45,7 +45,7 @@ int derivative(realtype t, N_Vector y, N_Vector out, void* user) {
   return 0;
 }
 
-int jacobian(realtype, N_Vector, N_Vector, SUNMatrix m, void* user, N_Vector, N_Vector, N_Vector) {
+int jacobian(sunrealtype, N_Vector, N_Vector, SUNMatrix m, void* user, N_Vector, N_Vector, N_Vector) {
   const Problem& p = *static_cast<const Problem*>(user);
   const auto n = static_cast<sunindextype>(p.net.masses);
   SUNMatZero(m);
@@ -71,7 +71,11 @@ int jacobian(realtype, N_Vector, N_Vector, SUNMatrix m, void* user, N_Vector, N_
 std::vector<std::vector<double>> integrate(Problem problem, const Track& weight, double tolerance) {
   const std::size_t n = problem.net.masses;
   SUNContext context = nullptr;
+#ifdef SUN_COMM_NULL
+  SUNContext_Create(SUN_COMM_NULL, &context);
+#else  // before SUNDIALS 7
   SUNContext_Create(nullptr, &context);
+#endif
   const auto size = static_cast<sunindextype>(2 * n);
   N_Vector y = N_VNew_Serial(size, context);
   N_VConst(0, y);
@@ -93,7 +97,7 @@ std::vector<std::vector<double>> integrate(Problem problem, const Track& weight,
     const double end = (k + 1) / 24.0;
     CVodeReInit(cvode, problem.start, y);
     CVodeSetStopTime(cvode, end);
-    realtype reached = problem.start;
+    sunrealtype reached = problem.start;
     EXPECT_GE(CVode(cvode, end, y, &reached, CV_NORMAL), 0) << "frame " << k;
     motion.emplace_back(N_VGetArrayPointer(y), N_VGetArrayPointer(y) + n);
   }
