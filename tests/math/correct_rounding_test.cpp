@@ -105,7 +105,8 @@ const HardArgument hard_arguments[] = {
 
 TEST(HardArguments, AreHardAndCorrectlyRounded) {
   for (const HardArgument& hard : hard_arguments) {
-    const RoundedFunction& function = reference::rounded_function(hard.function);
+    const std::string name = hard.function;
+    const RoundedFunction& function = reference::rounded_function(name);
     EXPECT_GE(function.bits_to_tie(hard.x), hard.bits) << hard.function << std::hexfloat << " of " << hard.x;
     expect_nearest(function, hard.x);
   }

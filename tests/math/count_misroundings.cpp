@@ -54,7 +54,8 @@ int main(int argument_count, char** arguments) {
     fmt::print(stderr, "usage: {} FUNCTION ARGUMENTS [SEED]\n", arguments[0]);
     return 2;
   }
-  const RoundedFunction& function = morphcl::reference::rounded_function(arguments[1]);
+  const std::string name = arguments[1];
+  const RoundedFunction& function = morphcl::reference::rounded_function(name);
   const auto count = std::strtoull(arguments[2], nullptr, 10);
   morphcl::reference::ElementaryArguments next(argument_count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);
   constexpr bool is_wider = std::numeric_limits<long double>::digits >= 64;
