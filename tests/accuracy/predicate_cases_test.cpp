@@ -1,6 +1,8 @@
 // Catalogue of extreme cases: decisions that are exact or wrong.
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
+
 #include "host/geometry/point_in_polygon.hpp"
 #include "host/math/predicates.hpp"
 #include "tests/accuracy/demand.hpp"

@@ -1,6 +1,8 @@
 // morphcl compare: what it prints and writes, and what it refuses.
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "tests/cli/expectations.hpp"
 #include "tests/cli/scratch_folder.hpp"
 

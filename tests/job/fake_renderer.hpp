@@ -1,6 +1,7 @@
 // A renderer for tests of jobs: its pixels depend on the frame number alone, and it notes what it was asked for.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <vector>

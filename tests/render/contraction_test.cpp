@@ -1,6 +1,8 @@
 // What `#pragma OPENCL FP_CONTRACT OFF` at the head of every kernel is for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/device/kernel_source.hpp"
 #include "host/render/device/device_renderer.hpp"
 #include "host/render/reference/reference_renderer.hpp"

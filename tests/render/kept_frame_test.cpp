@@ -1,5 +1,7 @@
 // What a renderer keeps from the frame before (vertices, face colours, the blank blocks of the picture) is never seen:
 // every frame of a sequence has the bits of the reference's, in whatever order, into whatever buffer.
+#include <algorithm>
+
 #include "host/geometry/solids.hpp"
 #include "host/render/device/device_renderer.hpp"
 #include "host/render/reference/reference_renderer.hpp"

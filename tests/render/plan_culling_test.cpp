@@ -1,6 +1,7 @@
 // Objects out of view are found by bounds over all time in a hierarchy: no object that may show is lost on the way.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "anim/timeline_at.hpp"

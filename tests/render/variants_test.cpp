@@ -2,6 +2,8 @@
 // libraries stand in for several kinds of processor.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/device/child_process.hpp"
 #include "tests/device/kernel_libraries.hpp"
 #include "tests/device/temporary_folder.hpp"

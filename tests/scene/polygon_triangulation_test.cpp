@@ -1,6 +1,7 @@
 // Polygons cut into triangles: the triangles cover the polygon once and wind like it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,4 +1,5 @@
 // Points through one affine matrix: a rotation about a line through a pivot, which is where rounding hurts.
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // The report as a whole: complete, the same for the same seed, and written so that programs can read it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
 #include "lab/frame_error/stored_number.hpp"
