@@ -109,7 +109,7 @@ Operation operation_of(PlanarOperation<Real> planar) {
 
 // A batch of `planes` inputs drawn by fill(random, element), element by element.
 template <class Fill>
-Batch drawn(Random& random, std::size_t planes, std::size_t count, std::vector<double> constants, Fill fill) {
+Batch drawn(Random& random, std::size_t planes, std::size_t count, std::vector<double> constants, Fill&& fill) {
   Batch batch;
   batch.truth = Planes<double>(planes, count);
   batch.constants = std::move(constants);

@@ -11,7 +11,6 @@
 #include "host/render/device/device_renderer.hpp"
 #include "host/render/plan/planner.hpp"
 #include "host/render/plan/view_volume.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "host/scene/load_scene.hpp"
 #include "tests/math/picture_reference.hpp"

@@ -20,7 +20,7 @@ struct End {
 
 // Planes: x, y, w of an end in front of the plane, then of one behind it.
 template <class CutEdge>
-Variant<float> cutting(const char* name, CutEdge cut) {
+Variant<float> cutting(const char* name, const CutEdge& cut) {
   return elementwise32<6>(name, [cut](float ax, float ay, float aw, float bx, float by, float bw) {
     const Cut forth = cut(End{ax, ay, aw}, End{bx, by, bw}), back = cut(End{bx, by, bw}, End{ax, ay, aw});
     return BothCuts{forth[0], forth[1], forth[2], back[0], back[1], back[2]};

@@ -12,7 +12,7 @@ namespace morphcl::accuracy {
 namespace elementwise_detail {
 
 template <class Real, class Stored, class Function, std::size_t... P>
-typename Variant<Real>::Run run(const Planes<Stored>& planes, Function function, std::index_sequence<P...>) {
+typename Variant<Real>::Run run(const Planes<Stored>& planes, const Function& function, std::index_sequence<P...>) {
   const std::array<const Stored*, sizeof...(P)> in = {planes.plane(P)...};
   return [in, function, count = planes.size()](Planes<Real>& results) {
     using Results = decltype(function(in[P][0]...));
@@ -35,7 +35,7 @@ typename Variant<Real>::Run run(const Planes<Stored>& planes, Function function,
 
 // function(float...) -> number or array, one argument a plane.
 template <std::size_t Inputs, class Function>
-Variant<float> elementwise32(const std::string& name, Function function) {
+Variant<float> elementwise32(const std::string& name, const Function& function) {
   return {.name = name, .prepare = [function](const Batch& batch) {
             return elementwise_detail::run<float>(batch.stored, function, std::make_index_sequence<Inputs>());
           }};
@@ -43,7 +43,7 @@ Variant<float> elementwise32(const std::string& name, Function function) {
 
 // function(double...) -> number or array, one argument a plane, of the unrounded inputs.
 template <std::size_t Inputs, class Function>
-Variant<double> elementwise64(const std::string& name, Function function) {
+Variant<double> elementwise64(const std::string& name, const Function& function) {
   return {.name = name, .prepare = [function](const Batch& batch) {
             return elementwise_detail::run<double>(batch.truth, function, std::make_index_sequence<Inputs>());
           }};
