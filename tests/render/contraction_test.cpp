@@ -5,6 +5,7 @@
 
 #include "host/device/kernel_source.hpp"
 #include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "tests/device/kernel_libraries.hpp"
 #include "tests/render/parity.hpp"

@@ -1,5 +1,6 @@
 // The device draws the reference's bits: every test scene, at sizes that do and do not fill whole tiles.
 #include "tests/render/parity.hpp"
+#include "host/render/plan/planner.hpp"
 
 #include "host/render/device/device_renderer.hpp"
 #include "host/render/reference/reference_renderer.hpp"

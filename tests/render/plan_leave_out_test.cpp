@@ -4,6 +4,7 @@
 
 #include "host/geometry/solids.hpp"
 #include "host/render/device/device_renderer.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"

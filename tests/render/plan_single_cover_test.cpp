@@ -8,6 +8,7 @@
 #include "host/geometry/solids.hpp"
 #include "host/math/composite_transform.hpp"
 #include "host/render/frame/scene_vertices.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/plan/screen_boundary.hpp"
 #include "host/render/plan/single_cover.hpp"
 #include "tests/render/scene_builder.hpp"

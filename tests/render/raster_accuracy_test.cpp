@@ -8,6 +8,7 @@
 #include <random>
 
 #include "host/geometry/solids.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "host/render/reference/visibility.hpp"

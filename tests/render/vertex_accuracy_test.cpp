@@ -9,6 +9,7 @@
 #include "host/geometry/solids.hpp"
 #include "host/render/device/device_renderer.hpp"
 #include "host/render/frame/scene_vertices.hpp"
+#include "host/render/plan/planner.hpp"
 #include "host/render/plan/view_volume.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "tests/render/parity.hpp"

@@ -1,6 +1,7 @@
 // A frame of the reference renderer, judged.
 #pragma once
 
+#include "host/render/plan/planner.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "lab/frame_error/frame_difference.hpp"
 
