@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "host/math/hardware_fma.hpp"
 
@@ -84,12 +85,12 @@ MORPHCL_INLINED Vector<Real> finish(Product<Real> q, TransformKind kind) {
 // The matrix, or the sum of matrices, that vertex i goes through, applied to p; false if it asks for one that is not
 // there.
 template <class Real>
-MORPHCL_INLINED bool multiply_chosen(const Transform<Real>& transform, const MatrixChoice<Real>& choice, std::size_t i,
-                                     Vector<Real> p, Product<Real>& q) {
-  const bool projective = transform.kind() == TransformKind::projective;
+MORPHCL_INLINED bool multiply_chosen(std::span<const MatrixRow<Real>> matrices, bool projective,
+                                     const MatrixChoice<Real>& choice, std::size_t i, Vector<Real> p,
+                                     Product<Real>& q) {
   const std::size_t per_matrix = projective ? 4 : 3;
-  const auto* rows = transform.rows().data();
-  const std::size_t end = transform.rows().size();
+  const MatrixRow<Real>* rows = matrices.data();
+  const std::size_t end = matrices.size();
   if (const auto* index = std::get_if<MatrixIndices>(&choice)) {
     const std::size_t first = (*index)[i] * per_matrix;
     if (first >= end) return false;
@@ -113,19 +114,20 @@ MORPHCL_INLINED bool multiply_chosen(const Transform<Real>& transform, const Mat
 }
 
 template <class Real>
-MORPHCL_INLINED void transform_each(const Transform<Real>& transform, const Vertices<const Real>& in,
-                                    const Vertices<Real>& out, const MatrixChoice<Real>& choice) {
+MORPHCL_INLINED void transform_each(TransformKind kind, std::span<const MatrixRow<Real>> matrices,
+                                    const Vertices<const Real>& in, const Vertices<Real>& out,
+                                    const MatrixChoice<Real>& choice) {
   const Real *x = in.coordinates(0), *y = in.coordinates(1), *z = in.coordinates(2);
   Real *out_x = out.coordinates(0), *out_y = out.coordinates(1), *out_z = out.coordinates(2);
   const std::size_t stride = in.stride(), count = in.size();
-  const TransformKind kind = transform.kind();
+  const bool projective = kind == TransformKind::projective;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = i * stride;
     Vector<Real> p{x[at], y[at], z[at]};
     if (kind == TransformKind::normals) p = scale_to_one(p);
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     Product<Real> q{};
-    const bool found = multiply_chosen(transform, choice, i, p, q);
+    const bool found = multiply_chosen(matrices, projective, choice, i, p, q);
     const Vector<Real> result = found ? finish(q, kind) : Vector<Real>{nan, nan, nan};
     if (in.layout() == VertexLayout::xyzw) out.carried()[at] = in.carried()[at];
     out_x[at] = result.x;
@@ -134,14 +136,18 @@ MORPHCL_INLINED void transform_each(const Transform<Real>& transform, const Vert
   }
 }
 
-MORPHCL_WITH_HARDWARE_FMA void transform_floats(const Transform<float>& transform, const Vertices<const float>& in,
-                                                const Vertices<float>& out, const MatrixChoice<float>& choice) {
-  transform_each(transform, in, out, choice);
+// The span of the matrices comes from outside: Clang 19 does not emit an inline function that nothing but such a
+// function calls, as Transform::rows() calls the span's constructor.
+MORPHCL_WITH_HARDWARE_FMA void transform_floats(TransformKind kind, std::span<const MatrixRow<float>> matrices,
+                                                const Vertices<const float>& in, const Vertices<float>& out,
+                                                const MatrixChoice<float>& choice) {
+  transform_each(kind, matrices, in, out, choice);
 }
 
-MORPHCL_WITH_HARDWARE_FMA void transform_doubles(const Transform<double>& transform, const Vertices<const double>& in,
-                                                 const Vertices<double>& out, const MatrixChoice<double>& choice) {
-  transform_each(transform, in, out, choice);
+MORPHCL_WITH_HARDWARE_FMA void transform_doubles(TransformKind kind, std::span<const MatrixRow<double>> matrices,
+                                                 const Vertices<const double>& in, const Vertices<double>& out,
+                                                 const MatrixChoice<double>& choice) {
+  transform_each(kind, matrices, in, out, choice);
 }
 
 }  // namespace
@@ -151,7 +157,7 @@ void transform_reference(const Transform<float>& transform, const Vertices<const
                          const MatrixChoice<float>& choice) {
   check_in_and_out(in, out);
   check_choice(transform, choice, in.size());
-  transform_floats(transform, in, out, choice);
+  transform_floats(transform.kind(), transform.rows(), in, out, choice);
 }
 
 template <>
@@ -159,7 +165,7 @@ void transform_reference(const Transform<double>& transform, const Vertices<cons
                          const Vertices<double>& out, const MatrixChoice<double>& choice) {
   check_in_and_out(in, out);
   check_choice(transform, choice, in.size());
-  transform_doubles(transform, in, out, choice);
+  transform_doubles(transform.kind(), transform.rows(), in, out, choice);
 }
 
 }  // namespace morphcl
