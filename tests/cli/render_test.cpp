@@ -72,7 +72,7 @@ TEST_F(Render, FramesWithTheSamePictureAreCopiedAndReportedSo) {
   EXPECT_EQ(summary.at("copied"), 3);
   EXPECT_THAT(render({"--frames", "0-7"}).out, HasSubstr("5 frames rendered, 3 copied on "));
   EXPECT_EQ(hashes({"--frames", "0-7", "--plan", "none"}, "rendered").size(), 8u);
-  EXPECT_EQ(hashes({"--frames", "7", "--plan", "none"}, "rendered").at(7), frames.at(7).at("hash"));
+  EXPECT_EQ(hashes({"--frames", "7", "--plan", "none"}, "rendered").at(7), frames.at(7).at("hash").get<std::string>());
 }
 
 TEST_F(Render, QuietPrintsNothing) {
