@@ -27,7 +27,7 @@ std::string verdict_text(const DeviceInfo& device, int threads) {
   }
 }
 
-std::string mebibytes(std::size_t bytes) { return fmt::format("{} MiB", bytes >> 20); }
+std::string mebibyte_text(std::size_t bytes) { return fmt::format("{} MiB", bytes >> 20); }
 
 void print_json(const DeviceInfo& device, const std::string& verdict) {
   JsonLine line("device");
@@ -48,8 +48,9 @@ int devices_command(const DevicesOptions& options) {
     if (options.json) print_json(device, verdict);
     rows.push_back({std::to_string(device.index), printable(device.name),
                     printable(device.platform.substr(0, device.platform.find(','))),
-                    std::to_string(device.compute_units), mebibytes(device.global_memory),
-                    mebibytes(device.largest_allocation), fmt::format("{} KiB", device.local_memory >> 10), verdict});
+                    std::to_string(device.compute_units), mebibyte_text(device.global_memory),
+                    mebibyte_text(device.largest_allocation), fmt::format("{} KiB", device.local_memory >> 10),
+                    verdict});
   }
   if (!options.json)
     for (const std::string& line : aligned(rows)) print_result(line);

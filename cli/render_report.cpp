@@ -28,7 +28,7 @@ const char* status_name(Status status) {
   return "failed";
 }
 
-std::size_t count(const JobResult& result, Status status) {
+std::size_t count_of(const JobResult& result, Status status) {
   const auto is = [status](const FrameResult& frame) { return frame.status == status; };
   return static_cast<std::size_t>(std::count_if(result.frames.begin(), result.frames.end(), is));
 }
@@ -36,7 +36,7 @@ std::size_t count(const JobResult& result, Status status) {
 
 int exit_code(const JobResult& result) {
   if (result.interrupted) return exit_interrupted;
-  const std::size_t failed = count(result, Status::failed);
+  const std::size_t failed = count_of(result, Status::failed);
   if (failed == 0) return exit_done;
   int common = 0;
   for (const FrameResult& frame : result.frames) {
@@ -74,13 +74,13 @@ int RenderReport::finish(const JobResult& result) {
   summary(result, elapsed.count());
   if (result.interrupted)
     print_message(fmt::format("interrupted after {} of {} frames; run the same command with --resume to go on",
-                              result.frames.size() - count(result, Status::failed), total_));
+                              result.frames.size() - count_of(result, Status::failed), total_));
   return exit_code(result);
 }
 
 void RenderReport::summary(const JobResult& result, double seconds) const {
-  const std::size_t rendered = count(result, Status::rendered), copied = count(result, Status::copied);
-  const std::size_t kept = count(result, Status::kept), failed = count(result, Status::failed);
+  const std::size_t rendered = count_of(result, Status::rendered), copied = count_of(result, Status::copied);
+  const std::size_t kept = count_of(result, Status::kept), failed = count_of(result, Status::failed);
   const double speed = seconds > 0 ? static_cast<double>(rendered + copied) / seconds : 0.0;
   if (settings_.json) {
     JsonLine line("summary");

@@ -8,11 +8,11 @@
 namespace morphcl::cli {
 
 namespace {
-std::atomic<bool> stop{false};
+std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set inside a signal handler");
 
 extern "C" void ask_to_stop(int signal_number) {
-  if (stop.exchange(true)) _exit(128 + signal_number);
+  if (stop_asked.exchange(true)) _exit(128 + signal_number);
 }
 
 bool install() {
@@ -29,7 +29,7 @@ bool install() {
 const std::atomic<bool>& stop_requested() {
   static const bool installed = install();
   static_cast<void>(installed);
-  return stop;
+  return stop_asked;
 }
 
 }  // namespace morphcl::cli

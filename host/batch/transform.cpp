@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "host/batch/normal_rows.hpp"
-#include "host/error.hpp"
+#include "host/batch/usage_error.hpp"
 
 namespace morphcl {
 
@@ -14,11 +14,9 @@ namespace {
 // Row numbers are 32 bits wide in the kernels.
 constexpr std::size_t most_matrices = std::size_t{1} << 28;
 
-Error usage(const std::string& message) { return Error(ErrorKind::usage, "", message); }
-
 Error bad_matrix(std::size_t vertex, std::size_t asked, std::size_t matrix_count) {
-  return usage(fmt::format("vertex {} asks for matrix {}, but there are {}; the last one is number {}", vertex, asked,
-                           matrix_count, matrix_count - 1));
+  return usage_error(fmt::format("vertex {} asks for matrix {}, but there are {}; the last one is number {}", vertex,
+                                 asked, matrix_count, matrix_count - 1));
 }
 
 template <class Real>
@@ -33,7 +31,7 @@ AffineRows<Real> without_translation(AffineRows<Real> matrix) {
 template <class Real>
 Transform<Real>::Transform(TransformKind kind, std::size_t matrix_count) : kind_(kind) {
   if (matrix_count == 0 || matrix_count > most_matrices)
-    throw usage(fmt::format("{} matrices for a batch; 1 to {} are possible", matrix_count, most_matrices));
+    throw usage_error(fmt::format("{} matrices for a batch; 1 to {} are possible", matrix_count, most_matrices));
   rows_.reserve(matrix_count * rows_per_matrix());
 }
 
@@ -74,10 +72,10 @@ Transform<Real> Transform<Real>::project(std::span<const ProjectiveRows<Real>> m
 template <class Real>
 void check_choice_kind(const Transform<Real>& transform, bool chosen, bool blended) {
   if (!chosen && transform.matrix_count() != 1)
-    throw usage(
+    throw usage_error(
         fmt::format("{} matrices and no choice among them; an index a vertex is needed", transform.matrix_count()));
   if (blended && transform.kind() == TransformKind::normals)
-    throw usage("normals cannot be blended; blend vectors where all matrices are rotations");
+    throw usage_error("normals cannot be blended; blend vectors where all matrices are rotations");
 }
 
 template <class Real>
@@ -86,10 +84,10 @@ void check_choice(const Transform<Real>& transform, const MatrixChoice<Real>& ch
   const auto* blend = std::get_if<MatrixBlend<Real>>(&choice);
   check_choice_kind(transform, index || blend, blend != nullptr);
   if (index && index->size() != count)
-    throw usage(fmt::format("{} matrix indices for {} vertices; one each is needed", index->size(), count));
+    throw usage_error(fmt::format("{} matrix indices for {} vertices; one each is needed", index->size(), count));
   if (blend && (blend->matrices.size() != count || blend->weights.size() != count))
-    throw usage(fmt::format("{} quadruples of matrices and {} of weights for {} vertices; one each is needed",
-                            blend->matrices.size(), blend->weights.size(), count));
+    throw usage_error(fmt::format("{} quadruples of matrices and {} of weights for {} vertices; one each is needed",
+                                  blend->matrices.size(), blend->weights.size(), count));
 }
 
 template <class Real>

@@ -4,20 +4,18 @@
 
 #include <functional>
 
-#include "host/error.hpp"
+#include "host/batch/usage_error.hpp"
 
 namespace morphcl {
 
 namespace {
 
-Error usage(const std::string& message) { return Error(ErrorKind::usage, "", message); }
-
 template <class Real>
 std::size_t record_count(std::span<Real> records, VertexLayout layout) {
   const std::size_t reals = reals_per_vertex(layout);
   if (records.size() % reals != 0)
-    throw usage(fmt::format("{} values are not whole {} vertices; a multiple of {} is needed", records.size(),
-                            name_of(layout), reals));
+    throw usage_error(fmt::format("{} values are not whole {} vertices; a multiple of {} is needed", records.size(),
+                                  name_of(layout), reals));
   return records.size() / reals;
 }
 
@@ -37,7 +35,7 @@ const char* name_of(VertexLayout layout) {
 template <class Real>
 Vertices<Real> Vertices<Real>::separate(std::span<Real> x, std::span<Real> y, std::span<Real> z) {
   if (y.size() != x.size() || z.size() != x.size())
-    throw usage(
+    throw usage_error(
         fmt::format("arrays of {}, {} and {} coordinates; all three must have one size", x.size(), y.size(), z.size()));
   return {VertexLayout::separate, {x, y, z}, x.size()};
 }
@@ -64,17 +62,18 @@ Vertices<Real> Vertices<Real>::part(std::size_t first, std::size_t count) const 
 template <class Real>
 void check_in_and_out(const Vertices<const Real>& in, const Vertices<Real>& out) {
   if (in.layout() != out.layout())
-    throw usage(fmt::format("the input is {} and the output {}; both must have one layout", name_of(in.layout()),
-                            name_of(out.layout())));
+    throw usage_error(fmt::format("the input is {} and the output {}; both must have one layout", name_of(in.layout()),
+                                  name_of(out.layout())));
   if (in.size() != out.size())
-    throw usage(fmt::format("{} vertices in and {} out; both must have one size", in.size(), out.size()));
+    throw usage_error(fmt::format("{} vertices in and {} out; both must have one size", in.size(), out.size()));
   const auto outputs = out.arrays();
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other)
-      if (overlap<Real>(outputs[i], outputs[other])) throw usage("two output arrays share memory; each needs its own");
+      if (overlap<Real>(outputs[i], outputs[other]))
+        throw usage_error("two output arrays share memory; each needs its own");
     for (const std::span<const Real> input : in.arrays())
       if (overlap<Real>(outputs[i], input) && outputs[i].data() != input.data())
-        throw usage("an output array begins inside an input array; it must be the same array or apart from it");
+        throw usage_error("an output array begins inside an input array; it must be the same array or apart from it");
   }
 }
 

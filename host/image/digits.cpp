@@ -22,12 +22,12 @@ constexpr std::array<Glyph, 10> digits{{
     {0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110},
     {0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100},
 }};
-constexpr Glyph minus{0, 0, 0, 0b11111, 0, 0, 0};
-constexpr Glyph blank{};
+constexpr Glyph minus_glyph{0, 0, 0, 0b11111, 0, 0, 0};
+constexpr Glyph blank_glyph{};
 
 const Glyph& glyph(char c) {
   if (c >= '0' && c <= '9') return digits[static_cast<std::size_t>(c - '0')];
-  return c == '-' ? minus : blank;
+  return c == '-' ? minus_glyph : blank_glyph;
 }
 
 void fill_square(RgbImage& image, int left, int top, int side, Rgb color) {

@@ -19,7 +19,7 @@ struct Entry {
   int lines;
 };
 
-constexpr std::array<Entry, 11> table{{
+constexpr std::array<Entry, 11> compression_table{{
     {"none", Imf::NO_COMPRESSION, true, 1},
     {"rle", Imf::RLE_COMPRESSION, true, 1},
     {"zips", Imf::ZIPS_COMPRESSION, true, 1},
@@ -34,7 +34,7 @@ constexpr std::array<Entry, 11> table{{
 }};
 
 const Entry* find(Imf::Compression compression) {
-  for (const Entry& entry : table)
+  for (const Entry& entry : compression_table)
     if (entry.compression == compression) return &entry;
   return nullptr;
 }
@@ -44,7 +44,7 @@ const Entry* find(Imf::Compression compression) {
 const std::vector<std::string>& compression_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;
-    for (const Entry& entry : table) list.emplace_back(entry.name);
+    for (const Entry& entry : compression_table) list.emplace_back(entry.name);
     return list;
   }();
   return names;
@@ -53,7 +53,7 @@ const std::vector<std::string>& compression_names() {
 void check_compression(const std::string& name) { exr_compression(name); }
 
 Imf::Compression exr_compression(const std::string& name) {
-  for (const Entry& entry : table)
+  for (const Entry& entry : compression_table)
     if (entry.name == name) return entry.compression;
   throw Error(ErrorKind::usage, "",
               fmt::format("no compression '{}'; there are {}", name, fmt::join(compression_names(), ", ")));
@@ -72,7 +72,7 @@ bool is_lossless(Imf::Compression compression) {
 }
 
 int lines_per_chunk(int compression) {
-  for (const Entry& entry : table)
+  for (const Entry& entry : compression_table)
     if (static_cast<int>(entry.compression) == compression) return entry.lines;
   return 0;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double degrees_per_radian = 0x1.ca5dc1a63c1f8p+5, degrees_per_radian_low = -0x1.1e7ab456405f9p-49;
 
 // The kernel's, with the conversion to radians and the rounding test's own roundings.
-constexpr double error_bound = 2 * sine_kernel_error;
+constexpr double octant_error = 2 * sine_kernel_error;
 
 Float256 accurate_radians(double degrees) { return to_float_256(degrees) * radians_per_degree_float; }
 
@@ -23,12 +23,12 @@ Float256 accurate_radians(double degrees) { return to_float_256(degrees) * radia
 MORPHCL_INLINED double sine_of_octant(double degrees, const DoubleDouble& r) {
   constexpr double least = 0x1p-900;  // below it the low parts of the fast phase may be lost
   if (degrees >= least)
-    if (const auto fast = rounded(sine_kernel(r), error_bound)) return *fast;
+    if (const auto fast = rounded(sine_kernel(r), octant_error)) return *fast;
   return to_double(accurate_sine(accurate_radians(degrees)));
 }
 
 MORPHCL_INLINED double cosine_of_octant(double degrees, const DoubleDouble& r) {
-  if (const auto fast = rounded(cosine_kernel(r), error_bound)) return *fast;
+  if (const auto fast = rounded(cosine_kernel(r), octant_error)) return *fast;
   return to_double(to_float_256(accurate_cosine(accurate_radians(degrees))));
 }
 

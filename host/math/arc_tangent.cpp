@@ -11,7 +11,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr double error_bound = 4 * sine_kernel_error;
+constexpr double arc_tangent_error = 4 * sine_kernel_error;
 
 // atan(t) for t in [0, 1] within 2^-48 relative. Halved twice, tan(a/2) = t / (1 + sqrt(1 + t^2)), then the Taylor
 // series: 0.199^28 / 29 is below 2^-69.
@@ -104,7 +104,7 @@ MORPHCL_INLINED double angle_in_half_plane(double y, double x, bool turned) {
   constexpr int least_exponent = -900;
   if (small_exponent > least_exponent) {
     const DoubleDouble angle = fast_arc_tangent(std::ldexp(small, small_exponent), large);
-    if (const auto fast = rounded(fast_in_octant(angle, octant), error_bound)) return *fast;
+    if (const auto fast = rounded(fast_in_octant(angle, octant), arc_tangent_error)) return *fast;
   }
   Float256 numerator = to_float_256(small);
   numerator.exponent += small_exponent;

@@ -1,5 +1,7 @@
 #include "host/math/convention.hpp"
 
+#include "host/math/double_double.hpp"
+
 namespace morphcl {
 
 namespace {
@@ -11,16 +13,6 @@ void negate_column(glm::dmat4& m, int column) {
 
 void negate_row(glm::dmat4& m, int row) {
   for (int column = 0; column < 4; ++column) m[column][row] = -m[column][row];
-}
-
-struct Sum {
-  double rounded, rest;
-};
-
-// a + b = rounded + rest exactly.
-Sum two_sum(double a, double b) {
-  const double sum = a + b, b_part = sum - a;
-  return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 }  // namespace
@@ -49,9 +41,9 @@ ForeignProjection projection_to(const Convention& convention, const glm::dmat4& 
   if (convention.handedness == Handedness::left) negate_column(m, 2);
   if (convention.depth == NdcDepth::zero_to_one)
     for (int column = 0; column < 4; ++column) {
-      const Sum sum = two_sum(m[column][2], m[column][3]);
-      m[column][2] = 0.5 * sum.rounded;
-      result.depth_rest[column] = 0.5 * sum.rest;
+      const DoubleDouble sum = two_sum(m[column][2], m[column][3]);
+      m[column][2] = 0.5 * sum.high;
+      result.depth_rest[column] = 0.5 * sum.low;
     }
   if (convention.vectors == VectorForm::row) m = glm::transpose(m);
   return result;
@@ -62,8 +54,8 @@ glm::dmat4 projection_from(const Convention& convention, const ForeignProjection
   if (convention.depth == NdcDepth::zero_to_one)
     for (int column = 0; column < 4; ++column) {
       // z = (2h - w) + 2l. Where |w| >= |z| the difference is exact, else its error and 2l add up without rounding.
-      const Sum difference = two_sum(2 * m[column][2], -m[column][3]);
-      m[column][2] = difference.rounded + (difference.rest + 2 * foreign.depth_rest[column]);
+      const DoubleDouble difference = two_sum(2 * m[column][2], -m[column][3]);
+      m[column][2] = difference.high + (difference.low + 2 * foreign.depth_rest[column]);
     }
   if (convention.handedness == Handedness::left) negate_column(m, 2);
   return m;

@@ -10,7 +10,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr double error_bound = 0x1p-66;
+constexpr double exponential_error = 0x1p-66;
 
 constexpr Fixed256 ln_2{{0x8a0d175b8baafa2b, 0x40f343267298b62d, 0xc9e3b39803f2f6af, 0xb17217f7d1cf79ab, 0}};
 
@@ -94,7 +94,7 @@ double accurately_rounded_exponential_minus_1(double x) {
   return -to_double(to_float_256(fixed_one - shifted_right(e.mantissa, -e.power)));
 }
 
-constexpr double tiny = 0x1p-54;
+constexpr double tiny_exponent = 0x1p-54;
 
 }  // namespace
 
@@ -102,11 +102,12 @@ MORPHCL_WITH_HARDWARE_FMA double exponential(double x) {
   if (std::isnan(x)) return x;
   if (x > 710) return std::numeric_limits<double>::infinity();
   if (x < -746) return 0;
-  if (std::abs(x) < tiny) return 1;
+  if (std::abs(x) < tiny_exponent) return 1;
   // Beyond these the result may be subnormal or infinite.
   if (x > -708 && x < 709) {
     const Exponential e = fast_exponential(x);
-    if (const auto mantissa = rounded(add_smaller({1, 0}, e.rest), error_bound)) return std::ldexp(*mantissa, e.power);
+    if (const auto mantissa = rounded(add_smaller({1, 0}, e.rest), exponential_error))
+      return std::ldexp(*mantissa, e.power);
   }
   return accurately_rounded_exponential(x);
 }
@@ -115,7 +116,7 @@ MORPHCL_WITH_HARDWARE_FMA double exponential_minus_1(double x) {
   if (std::isnan(x)) return x;
   if (x > 710) return std::numeric_limits<double>::infinity();
   if (x < -38) return -1;  // e^x is less than a quarter of an ulp
-  if (std::abs(x) < tiny) return x;
+  if (std::abs(x) < tiny_exponent) return x;
   if (x < 709) {
     const Exponential e = fast_exponential(x);
     DoubleDouble value = e.rest;
@@ -123,7 +124,7 @@ MORPHCL_WITH_HARDWARE_FMA double exponential_minus_1(double x) {
       const double scale = std::ldexp(1.0, e.power);
       value = DoubleDouble{value.high * scale, value.low * scale} + (DoubleDouble{scale, 0} - DoubleDouble{1, 0});
     }
-    if (const auto result = rounded(value, error_bound)) return *result;
+    if (const auto result = rounded(value, exponential_error)) return *result;
   }
   return accurately_rounded_exponential_minus_1(x);
 }

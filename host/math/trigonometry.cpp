@@ -14,7 +14,7 @@ namespace morphcl {
 namespace {
 
 // Below this the sine and tangent of x are x, and the cosine is 1, within less than half an ulp: x^2/3 < 2^-55.
-constexpr double tiny = 0x1p-27;
+constexpr double tiny_angle = 0x1p-27;
 constexpr double quarter_pi = 0x1.921fb54442d18p-1;  // below pi/4
 
 constexpr double sine_error = 2 * sine_kernel_error;  // with the reduction's and the rounding test's own roundings
@@ -71,7 +71,7 @@ MORPHCL_INLINED double sine_from_quarter(double size, unsigned first_quarter) {
 MORPHCL_WITH_HARDWARE_FMA double sine(double x) {
   const double size = std::abs(x);
   if (!(size <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::quiet_NaN();
-  if (size < tiny) return x;
+  if (size < tiny_angle) return x;
   const double result = sine_from_quarter(size, 0);
   return x < 0 ? -result : result;
 }
@@ -79,14 +79,14 @@ MORPHCL_WITH_HARDWARE_FMA double sine(double x) {
 MORPHCL_WITH_HARDWARE_FMA double cosine(double x) {
   const double size = std::abs(x);
   if (!(size <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::quiet_NaN();
-  if (size < tiny) return 1;
+  if (size < tiny_angle) return 1;
   return sine_from_quarter(size, 1);
 }
 
 MORPHCL_WITH_HARDWARE_FMA double tangent(double x) {
   const double size = std::abs(x);
   if (!(size <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::quiet_NaN();
-  if (size < tiny) return x;
+  if (size < tiny_angle) return x;
   const Angle angle = reduced(size);
   // tan r in even quarters, -cot r in odd ones; both are odd in r.
   const bool cotangent = angle.turns.quarters % 2 != 0;

@@ -15,7 +15,7 @@ struct Level {
   std::size_t factor;  // times the smallest batch
 };
 // Vertices of 24 bytes, 1024 of them: 24 KiB, 768 KiB and 96 MiB.
-constexpr Level levels[] = {{"L1", 1}, {"L2", 32}, {"memory", 4096}};
+constexpr Level timed_levels[] = {{"L1", 1}, {"L2", 32}, {"memory", 4096}};
 
 std::uint64_t seed_of(std::uint64_t seed, const std::string& operation, const std::string& family) {
   const std::string name = operation + "/" + family;
@@ -23,7 +23,7 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& operation, const st
 }
 
 template <class Real>
-std::uint64_t hash_of(const Planes<Real>& planes) {
+std::uint64_t hash_of_planes(const Planes<Real>& planes) {
   return XXH3_64bits(planes.values().data(), planes.values().size() * sizeof(Real));
 }
 
@@ -137,7 +137,7 @@ class FamilyRun {
 
   void judge(const Variant<Real>& variant, const Planes<Real>& results, Result& result, OperationReport& report) const {
     result.compared = results.size();
-    result.hash = hash_of(results);
+    result.hash = hash_of_planes(results);
     result.figures = figures_of(variant, results, wide_, operation_.reference->wide);
     const Figures again = figures_of(variant, results, doubled_, operation_.reference->doubled);
     report.digits_confirmed = report.digits_confirmed && same_digits(result.figures, again);
@@ -164,7 +164,7 @@ class FamilyRun {
   }
 
   void time_on_host(Result* results) const {
-    for (const Level& level : levels) {
+    for (const Level& level : timed_levels) {
       if (level.factor > 1 && (settings_.quick || !operation_.streams)) break;
       const Batch batch = make(operation_.batch * level.factor);
       Planes<Real> out(operation_.results, batch.size());

@@ -6,7 +6,7 @@ namespace morphcl::accuracy {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string csv_quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";
@@ -21,7 +21,7 @@ std::string csv_of(const Report& report) {
   for (const OperationReport& operation : report.operations)
     for (const Result& result : operation.results) {
       std::string start =
-          fmt::format("{},{},{},{},{},{},{:016x},{}", operation.about.name, result.family, quoted(result.variant),
+          fmt::format("{},{},{},{},{},{},{:016x},{}", operation.about.name, result.family, csv_quoted(result.variant),
                       result.ships ? 1 : 0, result.place, result.compared, result.hash, result.device_bits);
       for (std::size_t m = 0; m < measure_count; ++m) start += "," + printed(result.figures[static_cast<Measure>(m)]);
       if (result.timings.empty()) text += start + ",,,,,,\n";

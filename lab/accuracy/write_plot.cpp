@@ -19,16 +19,16 @@ namespace morphcl::accuracy {
 namespace {
 
 // A panel is this large, with its key; families stand beside each other.
-constexpr int panel_width = 560, panel_height = 310, heading = 40;
+constexpr int panel_width = 560, panel_height = 310, panel_heading = 40;
 
 const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57", "#b8860b", "#6a4c93", "#4d4d4d", "#e07b39",
                               "#008b8b", "#9e2a2b", "#7a9e1f", "#c2185b", "#5c6bc0", "#795548", "#00838f"};
 constexpr std::size_t color_count = std::size(colors);
 
 // gnuplot's outlined shapes; each is followed by the filled one. The device's times are crosses.
-constexpr int shapes[] = {6, 4, 8, 10, 12, 14}, cross = 1;
+constexpr int point_shapes[] = {6, 4, 8, 10, 12, 14}, cross_shape = 1;
 
-std::string quoted(const std::string& text) {
+std::string gnuplot_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
@@ -85,10 +85,10 @@ void add_marks(std::string& data, std::string& plots, const Panel& panel, std::s
     data += "EOD\n";
     plots += fmt::format(", {} with points pt {} ps {} lc rgb '{}' title {}",
                          device ? fmt::format("$d{}_{}", index, v) : fmt::format("$m{}_{}", index, v),
-                         device ? cross : shapes[v % std::size(shapes)] + (result.ships ? 1 : 0),
-                         result.ships ? 1.1 : 0.9, color, quoted(result.variant + (device ? " (device)" : "")));
+                         device ? cross_shape : point_shapes[v % std::size(point_shapes)] + (result.ships ? 1 : 0),
+                         result.ships ? 1.1 : 0.9, color, gnuplot_quoted(result.variant + (device ? " (device)" : "")));
     if (!device && result.nanoseconds("device") > 0)
-      plots += fmt::format(", $d{}_{} with points pt {} ps 0.9 lc rgb '{}' notitle", index, v, cross, color);
+      plots += fmt::format(", $d{}_{} with points pt {} ps 0.9 lc rgb '{}' notitle", index, v, cross_shape, color);
   }
 }
 
@@ -101,12 +101,12 @@ std::string panel_program(const Panel& panel, std::size_t index) {
         fmt::format("{:.6g} {:.6g}\n", result->timings.front().minimum_ns, panel.height_of(result->figures[measure]));
   data += "EOD\n";
   plots = fmt::format("plot {:.6g} with lines dt 2 lw 1.5 lc rgb '#c00000' title {}", panel.height_of(about.target),
-                      quoted("target " + printed(about.target)));
+                      gnuplot_quoted("target " + printed(about.target)));
   plots += fmt::format(", $front{} with steps lw 1.2 lc rgb '#999999' title 'front'", index);
   add_marks(data, plots, panel, index);
   std::string program = data;
-  program += fmt::format("set title {} noenhanced\n", quoted(about.name + ", " + panel.family->name));
-  program += fmt::format("set ylabel {} noenhanced\n", quoted(text_of(measure).axis));
+  program += fmt::format("set title {} noenhanced\n", gnuplot_quoted(about.name + ", " + panel.family->name));
+  program += fmt::format("set ylabel {} noenhanced\n", gnuplot_quoted(text_of(measure).axis));
   program += fmt::format("set yrange [{:g}:{:g}]\n", panel.floor * 0.7, panel.ceiling);
   program += fmt::format("set ytics autofreq\nset ytics add ('0' {:g})\n", panel.floor);
   return program + plots + "\n";
@@ -118,18 +118,19 @@ std::string plot_program(const Report& report, const std::string& path) {
   std::size_t columns = 1, rows = report.operations.size();
   for (const OperationReport& operation : report.operations) columns = std::max(columns, operation.families.size());
   const int width = panel_width * static_cast<int>(columns);
-  const int height = panel_height * static_cast<int>(rows) + heading;
+  const int height = panel_height * static_cast<int>(rows) + panel_heading;
   std::string program =
       fmt::format("set terminal svg size {},{} enhanced font 'sans-serif,11' background '#ffffff'\nset output {}\n",
-                  width, height, quoted(path));
+                  width, height, gnuplot_quoted(path));
   program +=
       "set logscale xy\nset format x '10^{%T}'\nset format y '10^{%T}'\nset border 3\nset tics nomirror\n"
       "set grid lw 0.5 lc rgb '#dddddd'\nset xlabel 'ns an element'\nset offsets graph 0.15, graph 0.15, 0, 0\n"
       "set key outside right center vertical maxcols 1 noenhanced samplen 1.5 spacing 0.75 Left reverse font ',8'\nset "
       "lmargin 11\nset rmargin 32\n";
-  program += fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns,
-                         quoted("Error against time. Filled: what morphcl computes; crosses: "
-                                "device, kernel alone; others: host, one thread; 0 is drawn on the lower edge."));
+  program +=
+      fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns,
+                  gnuplot_quoted("Error against time. Filled: what morphcl computes; crosses: "
+                                 "device, kernel alone; others: host, one thread; 0 is drawn on the lower edge."));
   std::size_t index = 0;
   for (const OperationReport& operation : report.operations)
     for (std::size_t column = 0; column < columns; ++column) {

@@ -11,10 +11,10 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Row = std::vector<std::string>;
+using TextRow = std::vector<std::string>;
 
 // Columns that no row fills are left out; the first is flush left, the others flush right.
-std::string aligned(std::vector<Row> rows) {
+std::string aligned(std::vector<TextRow> rows) {
   std::vector<std::size_t> widths(rows[0].size());
   std::vector<bool> filled(rows[0].size());
   for (std::size_t r = 0; r < rows.size(); ++r)
@@ -23,7 +23,7 @@ std::string aligned(std::vector<Row> rows) {
       filled[c] = filled[c] || (r > 0 && !rows[r][c].empty());
     }
   std::string text;
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     std::string line = "  ";
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (!filled[c]) continue;
@@ -34,9 +34,10 @@ std::string aligned(std::vector<Row> rows) {
   return text;
 }
 
-constexpr Measure columns[] = {Measure::max_ulp,     Measure::rms_ulp,    Measure::max_scaled, Measure::max_absolute,
-                               Measure::max_true,    Measure::max_pixels, Measure::wrong,      Measure::holes,
-                               Measure::double_hits, Measure::ties,       Measure::inversions, Measure::not_finite};
+constexpr Measure table_columns[] = {Measure::max_ulp,      Measure::rms_ulp,    Measure::max_scaled,
+                                     Measure::max_absolute, Measure::max_true,   Measure::max_pixels,
+                                     Measure::wrong,        Measure::holes,      Measure::double_hits,
+                                     Measure::ties,         Measure::inversions, Measure::not_finite};
 
 std::string short_figure(double value) { return value == value ? fmt::format("{:.2g}", value) : ""; }
 
@@ -46,19 +47,19 @@ bool always_zero(const OperationReport& report, Measure measure) {
                      [&](const Result& result) { return !(result.figures[measure] > 0); });
 }
 
-Row heading(const OperationReport& report) {
-  Row row = {"variant"};
-  for (const Measure measure : columns)
+TextRow heading_row(const OperationReport& report) {
+  TextRow row = {"variant"};
+  for (const Measure measure : table_columns)
     row.push_back(always_zero(report, measure) && measure != report.about.plotted ? "" : text_of(measure).title);
   row.push_back("ns");
   return row;
 }
 
-Row cells(const OperationReport& report, const Result& result) {
+TextRow cells(const OperationReport& report, const Result& result) {
   std::string name = (result.ships ? "* " : "  ") + result.variant;
   if (result.place == "device") name += " (device)";
-  Row row = {name};
-  for (const Measure measure : columns)
+  TextRow row = {name};
+  for (const Measure measure : table_columns)
     row.push_back(
         always_zero(report, measure) && measure != report.about.plotted ? "" : short_figure(result.figures[measure]));
   row.push_back(result.timings.empty() ? "" : fmt::format("{:.3g}", result.timings.front().minimum_ns));
@@ -76,15 +77,15 @@ std::string batch_of(const Timing& timing) {
 // The first digits of the results' hash, whether the device has the same, and the median times for every batch that was
 // timed.
 std::string batches_of(const OperationReport& report, const std::string& family) {
-  Row batches = {"variant", "hash", "device"};
+  TextRow batches = {"variant", "hash", "device"};
   for (const Result& result : report.results)
     for (const Timing& timing : result.timings)
       if (result.family == family && std::find(batches.begin(), batches.end(), batch_of(timing)) == batches.end())
         batches.push_back(batch_of(timing));
-  std::vector<Row> rows = {batches};
+  std::vector<TextRow> rows = {batches};
   for (const Result& result : report.results) {
     if (result.family != family) continue;
-    Row row = {"  " + result.variant, fmt::format("{:016x}", result.hash).substr(0, 8), result.device_bits};
+    TextRow row = {"  " + result.variant, fmt::format("{:016x}", result.hash).substr(0, 8), result.device_bits};
     row.resize(batches.size());
     for (const Timing& timing : result.timings) {
       const auto column = std::find(batches.begin(), batches.end(), batch_of(timing)) - batches.begin();
@@ -117,7 +118,7 @@ std::string table_of(const OperationReport& report) {
                                  text_of(about.plotted).title, printed(about.target), about.reason);
   for (const Family& family : report.families) {
     text += fmt::format("\n  {}: {}\n", family.name, family.text);
-    std::vector<Row> rows = {heading(report)};
+    std::vector<TextRow> rows = {heading_row(report)};
     for (const Result& result : report.results)
       if (result.family == family.name) rows.push_back(cells(report, result));
     text += aligned(std::move(rows)) + "  -> " + verdict(report, family.name) + "\n";

@@ -7,6 +7,7 @@
 #include "host/math/projection.hpp"
 #include "host/math/rounding.hpp"
 #include "tests/accuracy/demand.hpp"
+#include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/math/reference.hpp"
 
@@ -14,7 +15,6 @@ namespace morphcl::accuracy {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-Real exact(const reference::Exact& value) { return Real(value.high) + Real(value.low); }
 
 // The up vector is `angle` away from the view axis; all numbers are of fp32.
 TEST(ExtremeCase, LookAtWithUpNearTheView) {

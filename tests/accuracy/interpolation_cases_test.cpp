@@ -9,13 +9,12 @@
 #include "host/math/perspective_lerp.hpp"
 #include "host/math/quaternion.hpp"
 #include "tests/accuracy/demand.hpp"
+#include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/math/reference.hpp"
 
 namespace morphcl::accuracy {
 namespace {
-
-Real exact(const reference::Exact& value) { return Real(value.high) + Real(value.low); }
 
 // A pair of unit quaternions of fp32, `angle` apart as 4-vectors.
 struct Pair {

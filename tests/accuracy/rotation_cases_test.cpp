@@ -11,6 +11,7 @@
 #include "host/math/rounding.hpp"
 #include "host/math/trigonometry.hpp"
 #include "tests/accuracy/demand.hpp"
+#include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/math/reference.hpp"
 
@@ -19,8 +20,6 @@ namespace {
 
 const Real pi = boost::math::constants::pi<Real>();
 double to_degrees(float radians) { return static_cast<double>(Real(Real(radians) * 180 / pi)); }
-
-Real exact(const reference::Exact& value) { return Real(value.high) + Real(value.low); }
 
 using RotationForm = std::function<glm::mat3(const glm::vec3& axis, double degrees)>;
 

@@ -7,21 +7,22 @@ namespace morphcl::reference {
 
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>, boost::multiprecision::et_off>;
+using ChainReal =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>, boost::multiprecision::et_off>;
 
-struct Matrix {
+struct ChainMatrix {
   std::size_t size;
-  std::vector<Real> entries;
-  explicit Matrix(std::size_t n) : size(n), entries(n * n) {}
-  Real& operator()(std::size_t row, std::size_t column) { return entries[row * size + column]; }
-  const Real& operator()(std::size_t row, std::size_t column) const { return entries[row * size + column]; }
+  std::vector<ChainReal> entries;
+  explicit ChainMatrix(std::size_t n) : size(n), entries(n * n) {}
+  ChainReal& operator()(std::size_t row, std::size_t column) { return entries[row * size + column]; }
+  const ChainReal& operator()(std::size_t row, std::size_t column) const { return entries[row * size + column]; }
 };
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c(a.size);
+ChainMatrix chain_product(const ChainMatrix& a, const ChainMatrix& b) {
+  ChainMatrix c(a.size);
   for (std::size_t i = 0; i < a.size; ++i)
     for (std::size_t k = 0; k < a.size; ++k) {
-      const Real& factor = a(i, k);
+      const ChainReal& factor = a(i, k);
       if (factor == 0) continue;
       for (std::size_t j = 0; j < a.size; ++j) c(i, j) += factor * b(k, j);
     }
@@ -29,22 +30,22 @@ Matrix product(const Matrix& a, const Matrix& b) {
 }
 
 // By halving until the Taylor series converges fast, and squaring.
-Matrix exponential_of(Matrix m) {
-  Real norm = 0;
-  for (const Real& entry : m.entries) norm += abs(entry);
+ChainMatrix chain_exponential(ChainMatrix m) {
+  ChainReal norm = 0;
+  for (const ChainReal& entry : m.entries) norm += abs(entry);
   int halvings = 0;
-  for (; norm > Real(1) / 1024; norm /= 2) ++halvings;
-  for (Real& entry : m.entries) entry = ldexp(entry, -halvings);
-  Matrix sum = m, term = m;
+  for (; norm > ChainReal(1) / 1024; norm /= 2) ++halvings;
+  for (ChainReal& entry : m.entries) entry = ldexp(entry, -halvings);
+  ChainMatrix sum = m, term = m;
   for (int n = 2; n <= 45; ++n) {
-    term = product(term, m);
+    term = chain_product(term, m);
     for (std::size_t i = 0; i < sum.entries.size(); ++i) {
       term.entries[i] /= n;
       sum.entries[i] += term.entries[i];
     }
   }
   for (; halvings > 0; --halvings) {
-    const Matrix square = product(sum, sum);
+    const ChainMatrix square = chain_product(sum, sum);
     for (std::size_t i = 0; i < sum.entries.size(); ++i) sum.entries[i] = 2 * sum.entries[i] + square.entries[i];
   }
   for (std::size_t i = 0; i < m.size; ++i) sum(i, i) += 1;
@@ -87,16 +88,16 @@ MorphDrive chain_drive(std::size_t masses, int frames) {
 
 std::vector<std::vector<Exact>> chain_motion(const SpringNet& net, int frames) {
   const std::size_t n = net.masses, constant = 2 * n, ramp = constant + 1;
-  Matrix m(2 * n + 2);
-  const auto add_stiffness = [&](std::size_t row, std::size_t column, const Real& k) {
+  ChainMatrix m(2 * n + 2);
+  const auto add_stiffness = [&](std::size_t row, std::size_t column, const ChainReal& k) {
     m(n + row, column) -= k;
-    m(n + row, n + column) -= Real(net.stiffness_damping) * k;
+    m(n + row, n + column) -= ChainReal(net.stiffness_damping) * k;
   };
   for (std::size_t i = 0; i < n; ++i) {
     m(i, n + i) = 1;
     add_stiffness(i, i, net.anchor);
     m(n + i, n + i) -= net.damping;
-    m(n + i, constant) = Real(net.anchor) * share_of(i);
+    m(n + i, constant) = ChainReal(net.anchor) * share_of(i);
   }
   for (const SpringNet::Edge& edge : net.edges) {
     add_stiffness(edge.a, edge.a, edge.stiffness);
@@ -105,21 +106,21 @@ std::vector<std::vector<Exact>> chain_motion(const SpringNet& net, int frames) {
     add_stiffness(edge.b, edge.a, -edge.stiffness);
   }
   m(constant, ramp) = 1;
-  for (Real& entry : m.entries) entry /= 24;  // time in frames
+  for (ChainReal& entry : m.entries) entry /= 24;  // time in frames
   m(constant, ramp) = 1;
-  const Matrix step = exponential_of(m);
+  const ChainMatrix step = chain_exponential(m);
 
-  std::vector<Real> state(m.size);
+  std::vector<ChainReal> state(m.size);
   std::vector<std::vector<Exact>> motion;
   for (int k = 0; k <= frames; ++k) {
     std::vector<Exact>& positions = motion.emplace_back();
     for (std::size_t i = 0; i < n; ++i) {
       const double high = state[i].convert_to<double>();
-      positions.push_back({high, (state[i] - Real(high)).convert_to<double>()});
+      positions.push_back({high, (state[i] - ChainReal(high)).convert_to<double>()});
     }
-    state[constant] = Real(driven_at(k)) / 8;
-    state[ramp] = Real(driven_at(k + 1)) / 8 - state[constant];
-    std::vector<Real> next(m.size);
+    state[constant] = ChainReal(driven_at(k)) / 8;
+    state[ramp] = ChainReal(driven_at(k + 1)) / 8 - state[constant];
+    std::vector<ChainReal> next(m.size);
     for (std::size_t i = 0; i < m.size; ++i)
       for (std::size_t j = 0; j < m.size; ++j) next[i] += step(i, j) * state[j];
     state = std::move(next);

@@ -6,6 +6,7 @@
 
 #include "anim/track.hpp"
 #include "tests/anim/spring_reference.hpp"
+#include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {
@@ -13,23 +14,17 @@ namespace {
 
 using reference::u64;
 
-constexpr std::int64_t second = 24 * 1'000'000, frame = 1'000'000;  // ticks
-
-double at(const Track& track, std::int64_t tick) {
-  double value = std::nan("");
-  track.evaluate(tick, &value);
-  return value;
-}
+constexpr std::int64_t second_ticks = 24 * 1'000'000, frame_ticks = 1'000'000;
 
 // Frames 0 to `last`, 24 a second, through g_k = ((7 k^2 + 3 k) mod 11) / 8.
 Track zigzag(const Spring& spring, std::int64_t last) {
   std::vector<std::int64_t> ticks;
   std::vector<double> values;
   for (std::int64_t k = 0; k <= last; ++k) {
-    ticks.push_back(k * frame);
+    ticks.push_back(k * frame_ticks);
     values.push_back(static_cast<double>((7 * k * k + 3 * k) % 11) / 8);
   }
-  return Track({Interpolation::linear, 1, false, second, ticks, values}).on_spring(spring);
+  return Track({Interpolation::linear, 1, false, second_ticks, ticks, values}).on_spring(spring);
 }
 
 // Computed with 120 digits by a matrix exponential, or the closed form where that is too stiff. Each step adds at most
@@ -56,7 +51,7 @@ TEST(SpringTrack, FollowsTheReferenceMotions) {
     const Track track = zigzag({row.omega, row.zeta}, 48);
     const auto check = [&](std::int64_t k, const char* digits) {
       if (!digits) return;
-      EXPECT_TRUE(within(at(track, k * frame), reference::decimal(digits), 1e-12))
+      EXPECT_TRUE(within(value_at(track, k * frame_ticks), reference::decimal(digits), 1e-12))
           << "omega " << row.omega << ", zeta " << row.zeta << ", frame " << k;
     };
     check(1, row.after_1);
@@ -88,9 +83,10 @@ TEST(SpringTrack, IsExactBetweenKeysOfEveryKind) {
         return reference::spring_state(spring, from, curve, static_cast<double>(tick - ticks[key]) / binary_second);
       };
       const std::int64_t middle = ticks[key] + (end - ticks[key]) / 3;
-      EXPECT_TRUE(within(at(track, middle), exact_at(middle).position, bound)) << "trial " << trial << ", key " << key;
+      EXPECT_TRUE(within(value_at(track, middle), exact_at(middle).position, bound))
+          << "trial " << trial << ", key " << key;
       const reference::ExactState next = exact_at(end);
-      EXPECT_TRUE(within(at(track, end), next.position, bound)) << "trial " << trial << ", key " << key;
+      EXPECT_TRUE(within(value_at(track, end), next.position, bound)) << "trial " << trial << ", key " << key;
       from = {next.position.high, next.velocity.high};
     }
   }
@@ -101,45 +97,50 @@ TEST(SpringTrack, CurvesAreThoseOfTheKeys) {
   const Cubic c = cubic.curve_from(0, 0);
   for (std::int64_t tick = 0; tick <= 2000; tick += 125) {
     const double t = static_cast<double>(tick) / 1000;
-    EXPECT_TRUE(within(((c[3] * t + c[2]) * t + c[1]) * t + c[0], at(cubic, tick), 64 * u64 * 10)) << tick;
+    EXPECT_TRUE(within(((c[3] * t + c[2]) * t + c[1]) * t + c[0], value_at(cubic, tick), 64 * u64 * 10)) << tick;
   }
   EXPECT_EQ(cubic.curve_from(1, 0), (Cubic{2, 0, 0, 0}));
 }
 
 TEST(SpringTrack, RestsBeforeItsFirstKeyAndSettlesAfterItsLast) {
-  const Track track = Track({Interpolation::step, 1, false, second, {10 * frame, 11 * frame}, {2, 5}})
+  const Track track = Track({Interpolation::step, 1, false, second_ticks, {10 * frame_ticks, 11 * frame_ticks}, {2, 5}})
                           .on_spring(spring_of_frequency(3, 0.25));
-  for (const std::int64_t k : {-1'000'000, 0, 10, 11}) EXPECT_EQ(at(track, k * frame), 2) << k;
+  for (const std::int64_t k : {-1'000'000, 0, 10, 11}) EXPECT_EQ(value_at(track, k * frame_ticks), 2) << k;
   double most = 0;
-  for (std::int64_t k = 11; k < 60; ++k) most = std::max(most, at(track, k * frame));
+  for (std::int64_t k = 11; k < 60; ++k) most = std::max(most, value_at(track, k * frame_ticks));
   EXPECT_GT(most, 6);
   EXPECT_LT(most, 5 + 3 * 0.45);  // the first overshoot is exp(-pi zeta / sqrt(1 - zeta^2)) = 0.444
-  EXPECT_NEAR(at(track, track.end_tick()), 5, 3e-3);
+  EXPECT_NEAR(value_at(track, track.end_tick()), 5, 3e-3);
   EXPECT_GT(track.end_tick(), track.last_tick());
-  EXPECT_EQ(at(track, 4'000 * frame), 5);
+  EXPECT_EQ(value_at(track, 4'000 * frame_ticks), 5);
 }
 
 TEST(SpringTrack, AFrameAloneIsThatOfTheSequence) {
   const Track track = zigzag({31, 0.1}, 48);
   std::vector<double> forwards;
-  for (std::int64_t k = 0; k < 90; ++k) forwards.push_back(at(track, k * frame));
+  for (std::int64_t k = 0; k < 90; ++k) forwards.push_back(value_at(track, k * frame_ticks));
   for (std::int64_t k = 89; k >= 0; --k)
-    EXPECT_EQ(at(zigzag({31, 0.1}, 48), k * frame), forwards[static_cast<std::size_t>(k)]) << k;
+    EXPECT_EQ(value_at(zigzag({31, 0.1}, 48), k * frame_ticks), forwards[static_cast<std::size_t>(k)]) << k;
 }
 
 TEST(SpringTrack, RotationsAreUnitAndKeepTheirSide) {
   const double h = std::sqrt(0.5);
   // A quarter turn about z, written with the opposite sign and another length.
   const auto turning = [&](double factor) {
-    return Track({Interpolation::linear, 4, true, second, {0, 10 * frame}, {0, 0, 0, 3, 0, 0, factor * h, factor * h}})
+    return Track({Interpolation::linear,
+                  4,
+                  true,
+                  second_ticks,
+                  {0, 10 * frame_ticks},
+                  {0, 0, 0, 3, 0, 0, factor * h, factor * h}})
         .on_spring(spring_of_frequency(2, 0.3));
   };
   const Track track = turning(1), other = turning(-7);
   double most = 0;
   for (std::int64_t k = 0; k < 60; ++k) {
     std::array<double, 4> q{}, same{};
-    track.evaluate(k * frame, q.data());
-    other.evaluate(k * frame, same.data());
+    track.evaluate(k * frame_ticks, q.data());
+    other.evaluate(k * frame_ticks, same.data());
     for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(within(q[i], same[i], 8 * u64)) << k;
     EXPECT_TRUE(within(std::sqrt(q[2] * q[2] + q[3] * q[3]), 1.0, 8 * u64)) << k;
     EXPECT_GT(q[3], 0) << k;
@@ -165,7 +166,7 @@ TEST(SpringTrack, RangeContainsWhatItOvershoots) {
     const ValueRange range = track.range(0);
     ValueRange seen{1e9, -1e9};
     for (std::int64_t tick = -5; tick < ticks.back() + 3000; tick += 3)
-      seen = {std::min(seen.lower, at(track, tick)), std::max(seen.upper, at(track, tick))};
+      seen = {std::min(seen.lower, value_at(track, tick)), std::max(seen.upper, value_at(track, tick))};
     EXPECT_LE(range.lower, seen.lower) << trial;
     EXPECT_GE(range.upper, seen.upper) << trial;
     tightest = std::min(tightest, (range.upper - range.lower) / (seen.upper - seen.lower));
@@ -186,7 +187,7 @@ TEST(SpringTrack, RangeContainsResonance) {
   }
   const Track track = Track({Interpolation::step, 1, false, 1000, ticks, values}).on_spring(spring_of_frequency(1, 0));
   double most = 0;
-  for (std::int64_t tick = 0; tick < 25'000; ++tick) most = std::max(most, at(track, tick));
+  for (std::int64_t tick = 0; tick < 25'000; ++tick) most = std::max(most, value_at(track, tick));
   EXPECT_GT(most, 35);
   EXPECT_GE(track.range(0).upper, most);
   EXPECT_LT(track.range(0).upper, 1.1 * most);

@@ -9,10 +9,10 @@
 namespace morphcl {
 namespace {
 
-constexpr TimeBase film{25, 1}, ntsc{30000, 1001};
+constexpr TimeBase pal{25, 1}, ntsc{30000, 1001};
 
 TEST(TimeBase, FrameTicksAreExactToAMillionFrames) {
-  for (const TimeBase& time : {film, ntsc, TimeBase{24000, 1001}, TimeBase{1, 1'000'000}, TimeBase{1'000'000, 1}})
+  for (const TimeBase& time : {pal, ntsc, TimeBase{24000, 1001}, TimeBase{1, 1'000'000}, TimeBase{1'000'000, 1}})
     for (std::int64_t frame = -1'000'000; frame <= 1'000'000; frame += 997) {
       // frame / fps seconds, as a fraction, against ticks / (ticks a second), cross-multiplied.
       __extension__ using Wide = __int128;
@@ -24,7 +24,7 @@ TEST(TimeBase, FrameTicksAreExactToAMillionFrames) {
 }
 
 TEST(TimeBase, SecondsOfAFrameFallOnTheFrame) {
-  for (const TimeBase& time : {film, ntsc, TimeBase{24, 1}})
+  for (const TimeBase& time : {pal, ntsc, TimeBase{24, 1}})
     for (std::int64_t frame = -100'000; frame <= 1'000'000; frame += 7) {
       const double seconds = static_cast<double>(frame) * static_cast<double>(time.fps_denominator) /
                              static_cast<double>(time.fps_numerator);
@@ -34,7 +34,7 @@ TEST(TimeBase, SecondsOfAFrameFallOnTheFrame) {
 }
 
 TEST(TimeBase, SecondsStoredAsFloatsFallOnTheFrame) {
-  for (const TimeBase& time : {film, ntsc, TimeBase{24, 1}, TimeBase{60, 1}})
+  for (const TimeBase& time : {pal, ntsc, TimeBase{24, 1}, TimeBase{60, 1}})
     for (std::int64_t frame = 0; frame <= 20'000; ++frame) {
       const auto seconds = static_cast<float>(static_cast<double>(frame) * static_cast<double>(time.fps_denominator) /
                                               static_cast<double>(time.fps_numerator));
@@ -42,8 +42,8 @@ TEST(TimeBase, SecondsStoredAsFloatsFallOnTheFrame) {
     }
   // The float beside a frame's is another time.
   const float beside = std::nextafter(1.04f, 2.0f);
-  EXPECT_EQ(film.float_seconds_to_ticks(beside), film.seconds_to_ticks(static_cast<double>(beside)));
-  EXPECT_GT(film.float_seconds_to_ticks(beside), film.float_seconds_to_ticks(1.04f));
+  EXPECT_EQ(pal.float_seconds_to_ticks(beside), pal.seconds_to_ticks(static_cast<double>(beside)));
+  EXPECT_GT(pal.float_seconds_to_ticks(beside), pal.float_seconds_to_ticks(1.04f));
 }
 
 TEST(TimeBase, NearestTickTiesToEven) {
@@ -69,9 +69,9 @@ TEST(TimeBase, LargeTimesKeepEveryTick) {
 
 TEST(TimeBase, HostileTimesAreErrors) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -1e300, 1.9e11})
-    expect_error([&] { film.seconds_to_ticks(bad); }, ErrorKind::bad_input, "2^62 ticks");
-  expect_error([] { film.frames_to_ticks(1e13); }, ErrorKind::bad_input, "frames");
-  expect_error([] { film.float_seconds_to_ticks(std::nanf("")); }, ErrorKind::bad_input, "seconds");
+    expect_error([&] { pal.seconds_to_ticks(bad); }, ErrorKind::bad_input, "2^62 ticks");
+  expect_error([] { pal.frames_to_ticks(1e13); }, ErrorKind::bad_input, "frames");
+  expect_error([] { pal.float_seconds_to_ticks(std::nanf("")); }, ErrorKind::bad_input, "seconds");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "anim/time_base.hpp"
+#include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {
@@ -18,23 +19,18 @@ Track make(Interpolation interpolation, int width, std::vector<std::int64_t> tic
   return Track({interpolation, width, false, second, std::move(ticks), std::move(values)});
 }
 
-double at(const Track& track, std::int64_t tick) {
-  double value = std::nan("");
-  track.evaluate(tick, &value);
-  return value;
-}
-
 TEST(Track, HoldsTheEndValuesOutside) {
   const std::int64_t far = std::numeric_limits<std::int64_t>::max();
   for (const Interpolation i : {Interpolation::step, Interpolation::linear}) {
     const Track track = make(i, 1, {-10, 0, 500}, {3, 7, 5});
-    for (const std::int64_t before : {std::int64_t{-10}, std::int64_t{-11}, -far}) EXPECT_EQ(at(track, before), 3);
-    for (const std::int64_t after : {std::int64_t{500}, std::int64_t{501}, far}) EXPECT_EQ(at(track, after), 5);
+    for (const std::int64_t before : {std::int64_t{-10}, std::int64_t{-11}, -far})
+      EXPECT_EQ(value_at(track, before), 3);
+    for (const std::int64_t after : {std::int64_t{500}, std::int64_t{501}, far}) EXPECT_EQ(value_at(track, after), 5);
   }
   const Track cubic = make(Interpolation::cubic, 1, {0, 10}, {9, 1, 100, 100, 2, 9});
-  EXPECT_EQ(at(cubic, -far), 1);
-  EXPECT_EQ(at(cubic, far), 2);
-  EXPECT_EQ(at(make(Interpolation::linear, 1, {4}, {6}), 4), 6);
+  EXPECT_EQ(value_at(cubic, -far), 1);
+  EXPECT_EQ(value_at(cubic, far), 2);
+  EXPECT_EQ(value_at(make(Interpolation::linear, 1, {4}, {6}), 4), 6);
 }
 
 TEST(Track, StepHoldsUntilTheNextKey) {
@@ -50,11 +46,11 @@ TEST(Track, StepHoldsUntilTheNextKey) {
 
 TEST(Track, LinearIsExactAtKeysAndNeverLeavesEqualOnes) {
   const Track track = make(Interpolation::linear, 1, {0, 3, 7, 1000}, {0.1, 0.7, 0.7, -1e300});
-  EXPECT_EQ(at(track, 0), 0.1);
-  EXPECT_EQ(at(track, 3), 0.7);
-  for (std::int64_t t = 3; t <= 7; ++t) EXPECT_EQ(at(track, t), 0.7) << t;
-  EXPECT_EQ(at(track, 1000), -1e300);
-  EXPECT_EQ(at(make(Interpolation::linear, 1, {0, 2}, {-1.7e308, 1.7e308}), 1), 0);
+  EXPECT_EQ(value_at(track, 0), 0.1);
+  EXPECT_EQ(value_at(track, 3), 0.7);
+  for (std::int64_t t = 3; t <= 7; ++t) EXPECT_EQ(value_at(track, t), 0.7) << t;
+  EXPECT_EQ(value_at(track, 1000), -1e300);
+  EXPECT_EQ(value_at(make(Interpolation::linear, 1, {0, 2}, {-1.7e308, 1.7e308}), 1), 0);
 }
 
 // A hundred steps from 0 to 1: step i is the number nearest to i/100, from whichever side it is reached.
@@ -62,16 +58,16 @@ TEST(Track, HundredMorphStepsAreExact) {
   const TimeBase time;
   const Track track(
       {Interpolation::linear, 1, false, time.ticks_per_second(), {time.frame_ticks(0), time.frame_ticks(100)}, {0, 1}});
-  for (int step = 100; step >= 0; --step) EXPECT_EQ(at(track, time.frame_ticks(step)), step / 100.0) << step;
-  EXPECT_EQ(at(track, time.frame_ticks(101)), 1);
-  EXPECT_EQ(at(track, time.frame_ticks(-1)), 0);
+  for (int step = 100; step >= 0; --step) EXPECT_EQ(value_at(track, time.frame_ticks(step)), step / 100.0) << step;
+  EXPECT_EQ(value_at(track, time.frame_ticks(101)), 1);
+  EXPECT_EQ(value_at(track, time.frame_ticks(-1)), 0);
 }
 
 TEST(Track, KeysMayBeTheWholeRangeApart) {
   const std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
   const Track track = make(Interpolation::linear, 1, {least, most}, {0, 1});
-  EXPECT_EQ(at(track, 0), 0.5);
-  EXPECT_EQ(at(track, most / 2), 0.75);
+  EXPECT_EQ(value_at(track, 0), 0.5);
+  EXPECT_EQ(value_at(track, most / 2), 0.75);
 }
 
 TEST(Track, ManyKeysAreSearched) {
@@ -83,8 +79,8 @@ TEST(Track, ManyKeysAreSearched) {
   }
   const Track track = make(Interpolation::step, 1, ticks, values);
   for (std::int64_t key = 1; key < 100'000; key += 13) {
-    EXPECT_EQ(at(track, key * key), key % 17);
-    EXPECT_EQ(at(track, key * key - 1), (key - 1) % 17);
+    EXPECT_EQ(value_at(track, key * key), key % 17);
+    EXPECT_EQ(value_at(track, key * key - 1), (key - 1) % 17);
   }
 }
 
@@ -100,11 +96,11 @@ TEST(Track, CubicIsTheHermiteSplineWithTangentsPerSecond) {
     const double seconds = static_cast<double>(ticks) / second;
     const double bound =
         8 * u64 * (std::abs(a) + std::abs(b) + seconds * (std::abs(out_tangent) + std::abs(in_tangent)));
-    EXPECT_TRUE(within(at(track, 7 + position),
+    EXPECT_TRUE(within(value_at(track, 7 + position),
                        reference::hermite(a, out_tangent, b, in_tangent, position, ticks, second), bound))
         << "case " << i << ": " << position << " of " << ticks;
-    EXPECT_EQ(at(track, 7), a);
-    EXPECT_EQ(at(track, 7 + ticks), b);
+    EXPECT_EQ(value_at(track, 7), a);
+    EXPECT_EQ(value_at(track, 7 + ticks), b);
   }
 }
 
@@ -114,7 +110,8 @@ TEST(Track, CubicTangentsScaleWithTheKeyDistance) {
     const Track line =
         make(Interpolation::cubic, 1, {0, seconds * second}, {2, 0, 2, 2, 2.0 * static_cast<double>(seconds), 2});
     for (std::int64_t t = 0; t <= seconds * second; t += 125)
-      EXPECT_TRUE(within(at(line, t), 2 * static_cast<double>(t) / second, 8 * u64 * 6 * static_cast<double>(seconds)));
+      EXPECT_TRUE(
+          within(value_at(line, t), 2 * static_cast<double>(t) / second, 8 * u64 * 6 * static_cast<double>(seconds)));
   }
 }
 

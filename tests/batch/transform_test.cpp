@@ -8,26 +8,17 @@
 
 #include "host/batch/transform_reference.hpp"
 #include "host/error.hpp"
+#include "tests/batch/expect_usage_error.hpp"
 #include "tests/batch/test_batch.hpp"
 
 namespace morphcl {
 namespace {
 
 using testing::Batch;
+using testing::expect_usage_error;
 using testing::general_matrix;
-using ::testing::HasSubstr;
 using testing::make_blend;
 using testing::make_palette;
-
-void expect_usage_error(const std::function<void()>& call, const std::string& text) {
-  try {
-    call();
-    ADD_FAILURE() << "accepted; expected: " << text;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
-    EXPECT_THAT(error.what(), HasSubstr(text));
-  }
-}
 
 Transform<float> palette_of(std::size_t count) {
   return Transform<float>::points(std::span<const AffineRows<float>>(make_palette<float>(count)));

@@ -6,22 +6,13 @@
 #include <vector>
 
 #include "host/error.hpp"
+#include "tests/batch/expect_usage_error.hpp"
 
 namespace morphcl {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::expect_usage_error;
 using Floats = Vertices<float>;
-
-void expect_usage_error(const std::function<void()>& call, const std::string& text) {
-  try {
-    call();
-    ADD_FAILURE() << "accepted; expected: " << text;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
-    EXPECT_THAT(error.what(), HasSubstr(text));
-  }
-}
 
 void expect_refused(const Vertices<const float>& in, const Floats& out, const std::string& text) {
   expect_usage_error([&] { check_in_and_out(in, out); }, text);

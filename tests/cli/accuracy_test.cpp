@@ -8,7 +8,6 @@ namespace morphcl::cli_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 class Accuracy : public ScratchFolder {
  protected:

@@ -6,8 +6,6 @@ namespace morphcl::cli_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 class Usage : public ScratchFolder {
  protected:

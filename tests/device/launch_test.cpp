@@ -11,7 +11,7 @@ namespace {
 
 using testing::shared_session;
 
-constexpr const char* source = R"CL(
+constexpr const char* launch_source = R"CL(
 kernel void fill(global int* values, int value) { values[get_global_id(0)] = value; }
 kernel void sum_of_group(global const int* values, local int* shared, global int* sums) {
   shared[get_local_id(0)] = values[get_global_id(0)];
@@ -30,7 +30,7 @@ kernel void apply(global float* values, Settings settings) {
 
 class Launch : public ::testing::Test {
  protected:
-  Launch() : program(shared_session().context(), source), buffer(shared_session().context()) { program.build(); }
+  Launch() : program(shared_session().context(), launch_source), buffer(shared_session().context()) { program.build(); }
 
   cl::Kernel kernel(const char* name) { return cl::Kernel(program, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }

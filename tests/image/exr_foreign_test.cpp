@@ -25,13 +25,13 @@ using namespace image_test;
 
 // A window with a negative origin, 20 x 10 pixels; value(x, y) differs from pixel to pixel and is exact in half.
 const Imath::Box2i window({-7, -3}, {12, 6});
-constexpr int width = 20, height = 10;
+constexpr int window_width = 20, window_height = 10;
 float value(int x, int y) { return static_cast<float>(x + 32 * y); }
 
 std::vector<float> float_values() {
   std::vector<float> values;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) values.push_back(value(x, y));
+  for (int y = 0; y < window_height; ++y)
+    for (int x = 0; x < window_width; ++x) values.push_back(value(x, y));
   return values;
 }
 
@@ -44,19 +44,20 @@ Imf::Header header_with(const std::vector<const char*>& channels, Imf::PixelType
 Imf::FrameBuffer slices(const std::vector<const char*>& channels, std::vector<float>& values) {
   Imf::FrameBuffer buffer;
   for (const char* name : channels)
-    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float), width * sizeof(float)));
+    buffer.insert(name,
+                  Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float), window_width * sizeof(float)));
   return buffer;
 }
 
 void expect_values(const std::uint16_t* plane, const FrameBuffer& frame) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
+  for (int y = 0; y < window_height; ++y)
+    for (int x = 0; x < window_width; ++x)
       ASSERT_EQ(plane[static_cast<std::size_t>(y) * frame.row_pitch() + static_cast<std::size_t>(x)],
                 half(value(x, y)).bits())
           << "at (" << x << ", " << y << ")";
 }
 
-ErrorKind kind_of_failure(const std::string& path) {
+ErrorKind kind_of_refusal(const std::string& path) {
   try {
     read_exr(path);
   } catch (const Error& error) {
@@ -72,11 +73,11 @@ TEST(ForeignExr, FloatColourAtAnOffsetIsReadAsHalf) {
   {
     Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"R", "G"}, Imf::FLOAT));
     file.setFrameBuffer(slices({"R", "G"}, values));
-    file.writePixels(height);
+    file.writePixels(window_height);
   }
   const ExrFrame read = read_exr(folder / "a.exr");
-  ASSERT_EQ(read.frame.width(), width);
-  ASSERT_EQ(read.frame.height(), height);
+  ASSERT_EQ(read.frame.width(), window_width);
+  ASSERT_EQ(read.frame.height(), window_height);
   EXPECT_FALSE(read.frame.has_depth());
   expect_values(read.frame.color(0), read.frame);
   expect_values(read.frame.color(1), read.frame);
@@ -114,7 +115,7 @@ TEST(ForeignExr, FirstOfSeveralPartsIsRead) {
     for (int part = 0; part < 2; ++part) {
       Imf::OutputPart output(file, part);
       output.setFrameBuffer(slices({part == 0 ? "R" : "Z"}, values));
-      output.writePixels(height);
+      output.writePixels(window_height);
     }
   }
   const ExrFrame read = read_exr(folder / "a.exr");
@@ -129,9 +130,9 @@ TEST(ForeignExr, ImageWithoutOurChannelsIsRefusedAndDescribed) {
   {
     Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"Y", "N.X"}, Imf::FLOAT));
     file.setFrameBuffer(slices({"Y", "N.X"}, values));
-    file.writePixels(height);
+    file.writePixels(window_height);
   }
-  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_refusal(folder / "a.exr"), ErrorKind::bad_input);
   const ExrDescription description = describe_exr(folder / "a.exr");
   ASSERT_EQ(description.channels.size(), 2u);
   EXPECT_EQ(description.channels[0].name, "N.X");
@@ -148,11 +149,11 @@ TEST(ForeignExr, SubsampledColourIsRefused) {
     Imf::OutputFile file((folder / "a.exr").c_str(), header);
     Imf::FrameBuffer buffer;
     buffer.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
-                                  width / 2 * sizeof(float), 2, 2));
+                                  window_width / 2 * sizeof(float), 2, 2));
     file.setFrameBuffer(buffer);
-    file.writePixels(height);
+    file.writePixels(window_height);
   }
-  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_refusal(folder / "a.exr"), ErrorKind::bad_input);
 }
 
 TEST(ForeignExr, DeepPixelsAreRefused) {
@@ -162,20 +163,20 @@ TEST(ForeignExr, DeepPixelsAreRefused) {
     header.setType(Imf::DEEPSCANLINE);
     header.compression() = Imf::ZIPS_COMPRESSION;
     Imf::DeepScanLineOutputFile file((folder / "a.exr").c_str(), header);
-    std::vector<unsigned> counts(width * height, 1);
+    std::vector<unsigned> counts(window_width * window_height, 1);
     std::vector<float> values = float_values();
     std::vector<float*> samples;
     for (float& v : values) samples.push_back(&v);
     Imf::DeepFrameBuffer buffer;
-    const std::ptrdiff_t first = window.min.x + window.min.y * width;
+    const std::ptrdiff_t first = window.min.x + window.min.y * window_width;
     buffer.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data() - first),
-                                             sizeof(unsigned), width * sizeof(unsigned)));
+                                             sizeof(unsigned), window_width * sizeof(unsigned)));
     buffer.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(samples.data() - first), sizeof(float*),
-                                      width * sizeof(float*), sizeof(float)));
+                                      window_width * sizeof(float*), sizeof(float)));
     file.setFrameBuffer(buffer);
-    file.writePixels(height);
+    file.writePixels(window_height);
   }
-  EXPECT_EQ(kind_of_failure(folder / "a.exr"), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of_refusal(folder / "a.exr"), ErrorKind::bad_input);
 }
 
 }  // namespace

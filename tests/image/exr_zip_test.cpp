@@ -22,15 +22,15 @@ namespace {
 
 using namespace image_test;
 
-struct Shape {
+struct ZipShape {
   int width, height;
   bool color, depth;
 };
-const std::vector<Shape> shapes{{1, 1, true, true},    {1, 1, true, false},  {1, 1, false, true},
-                                {17, 3, true, true},   {17, 3, true, false}, {17, 3, false, true},
-                                {129, 65, true, true}, {2, 16, true, true},  {1087, 49, true, true}};
+const std::vector<ZipShape> zip_shapes{{1, 1, true, true},    {1, 1, true, false},  {1, 1, false, true},
+                                       {17, 3, true, true},   {17, 3, true, false}, {17, 3, false, true},
+                                       {129, 65, true, true}, {2, 16, true, true},  {1087, 49, true, true}};
 
-std::string name_of(const Shape& shape) {
+std::string name_of(const ZipShape& shape) {
   return std::to_string(shape.width) + " x " + std::to_string(shape.height) + (shape.color ? " RGBA" : "") +
          (shape.depth ? " Z" : "");
 }
@@ -113,7 +113,7 @@ TEST(ExrByteSplit, EqualsTheStepByStepDefinitionForEveryPieceLength) {
 }
 
 TEST(ExrZip, HeaderAndPreparedBytesAreTheLibrarys) {
-  for (const Shape& shape : shapes) {
+  for (const ZipShape& shape : zip_shapes) {
     SCOPED_TRACE(name_of(shape));
     FrameBuffer frame = disc_frame(shape.width, shape.height, shape.color, shape.depth);
     const int count = chunk_count(frame);
@@ -137,7 +137,7 @@ TEST(ExrZip, HeaderAndPreparedBytesAreTheLibrarys) {
 }
 
 TEST(ExrZip, EveryShapeComesBackBitForBit) {
-  for (const Shape& shape : shapes)
+  for (const ZipShape& shape : zip_shapes)
     for (const ZlibEffort effort : {ZlibEffort::fast, ZlibEffort::small}) {
       SCOPED_TRACE(name_of(shape));
       for (const bool noise : {false, true}) {
@@ -218,7 +218,7 @@ TEST(ExrZip, ShortLastChunkIsItsOwnLength) {
 // What an encoder keeps from one frame must not come out of the next.
 TEST(ExrZip, FramesOfOtherShapesFollowEachOther) {
   for (int round = 0; round < 2; ++round)
-    for (const Shape& shape : shapes) {
+    for (const ZipShape& shape : zip_shapes) {
       SCOPED_TRACE(name_of(shape));
       const FrameBuffer first = disc_frame(shape.width, shape.height, shape.color, shape.depth);
       const FrameBuffer second(shape.width, shape.height, shape.color, shape.depth);

@@ -7,8 +7,6 @@
 namespace morphcl {
 namespace {
 
-using reference::u64;
-
 // Correctly rounded; the reference itself is within 2^-50 ulp.
 constexpr double sin_cos_ulp = 0.5 + 0x1p-50;
 

@@ -1,7 +1,6 @@
 #include "host/math/convention.hpp"
 
 #include <cstring>
-#include <limits>
 
 #include "host/math/composite_transform.hpp"
 #include "host/math/projection.hpp"
@@ -10,9 +9,8 @@
 namespace morphcl {
 namespace {
 
+using reference::infinity;
 using reference::u64;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::pair<const char*, Convention> conventions[] = {
     {"column_right_handed", column_right_handed},

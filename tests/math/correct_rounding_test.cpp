@@ -4,18 +4,18 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "host/math/angle.hpp"
 #include "host/math/exponential.hpp"
 #include "host/math/trigonometry.hpp"
 #include "tests/math/elementary_arguments.hpp"
+#include "tests/math/reference.hpp"
 
 namespace morphcl {
 namespace {
 
+using reference::infinity;
 using reference::RoundedFunction;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));

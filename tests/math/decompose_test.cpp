@@ -9,7 +9,7 @@ namespace {
 using reference::u64;
 
 // Axes within 16u, three products and two sums to take apart, as many to put together.
-constexpr double relative_bound = 3 * (16 + 16 + 6) * u64;
+constexpr double decompose_bound = 3 * (16 + 16 + 6) * u64;
 
 TEST(Decompose, PutsTogetherWhatItTookApart) {
   Random random(91);
@@ -26,11 +26,11 @@ TEST(Decompose, PutsTogetherWhatItTookApart) {
     EXPECT_NEAR(parts.residual, residual, 1e-6 * residual) << i;
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 3; ++r)
-        EXPECT_TRUE(within(whole[c][r], m[c][r], relative_bound * glm::length(glm::dvec3(m[c]))))
+        EXPECT_TRUE(within(whole[c][r], m[c][r], decompose_bound * glm::length(glm::dvec3(m[c]))))
             << i << ": " << c << ", " << r;
     const glm::dmat3 identity = glm::transpose(parts.rotation) * parts.rotation;
     for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r) EXPECT_TRUE(within(identity[c][r], c == r ? 1.0 : 0.0, relative_bound)) << i;
+      for (int r = 0; r < 3; ++r) EXPECT_TRUE(within(identity[c][r], c == r ? 1.0 : 0.0, decompose_bound)) << i;
     EXPECT_GT(glm::determinant(parts.rotation), 0) << i;
     EXPECT_EQ(parts.scale.z < 0, glm::determinant(glm::dmat3(m / size)) < 0) << i;
   }
@@ -45,9 +45,9 @@ TEST(Decompose, FindsTheParts) {
                            .matrix();
   const Decomposition parts = decompose(m);
   expect_point(parts.translation, {7, 8, 9}, 0, "translation");
-  expect_point(parts.scale, {2, 3, 5}, 5 * relative_bound, "scale");
-  expect_point(parts.shear, {0.25, -0.5, 0.75}, relative_bound, "shear");
-  expect_point(parts.rotation * glm::dvec3(1, 0, 0), {0, 1, 0}, relative_bound, "rotation");
+  expect_point(parts.scale, {2, 3, 5}, 5 * decompose_bound, "scale");
+  expect_point(parts.shear, {0.25, -0.5, 0.75}, decompose_bound, "shear");
+  expect_point(parts.rotation * glm::dvec3(1, 0, 0), {0, 1, 0}, decompose_bound, "rotation");
 }
 
 TEST(Decompose, MirrorIsInTheScaleOfZ) {
@@ -63,8 +63,8 @@ TEST(Decompose, NearlySingularMapsAreMeasured) {
     const Decomposition parts = decompose(CompositeTransform().shear(1 / gap, 0, 0, 0, 0, 0).matrix());
     // The angle between the images of x and y is atan(gap).
     EXPECT_TRUE(within(parts.volume, gap / std::sqrt(1 + gap * gap), 8 * u64)) << gap;
-    EXPECT_LE(parts.residual, relative_bound) << gap;
-    EXPECT_TRUE(within(parts.shear.x * parts.scale.y, 1 / gap, relative_bound / gap)) << gap;
+    EXPECT_LE(parts.residual, decompose_bound) << gap;
+    EXPECT_TRUE(within(parts.shear.x * parts.scale.y, 1 / gap, decompose_bound / gap)) << gap;
   }
   expect_error([] { decompose(CompositeTransform().shear(1e17, 0, 0, 0, 0, 0).matrix()); }, ErrorKind::usage,
                "singular");

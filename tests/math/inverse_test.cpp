@@ -21,7 +21,7 @@ double hadamard_ratio(const glm::dmat4& m) {
 }
 
 // A cofactor is within 2u, the determinant within 5u times the Hadamard ratio, the quotient within 1u.
-double relative_bound(const glm::dmat4& m) { return (3 + 5 * hadamard_ratio(m)) * u64; }
+double inverse_bound(const glm::dmat4& m) { return (3 + 5 * hadamard_ratio(m)) * u64; }
 
 TEST(AffineInverse, RandomMaps) {
   Random random(31);
@@ -29,7 +29,7 @@ TEST(AffineInverse, RandomMaps) {
     const glm::dmat4 m = random_affine(random, 10);
     const glm::dmat4 computed = affine_inverse(m);
     const reference::Affine exact = reference::inverse(m);
-    const double bound = relative_bound(m);
+    const double bound = inverse_bound(m);
     for (int r = 0; r < 3; ++r) {
       double shift = 0;
       for (int c = 0; c < 3; ++c) {

@@ -1,13 +1,12 @@
 #include "host/math/oblique.hpp"
 
-#include <limits>
-
 #include "host/math/projection.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {
 namespace {
 
+using reference::infinity;
 using reference::u64;
 
 TEST(Oblique, CavalierAndCabinetFactors) {
@@ -63,7 +62,7 @@ TEST(Oblique, WithoutShearIsOrthographic) {
 }
 
 TEST(Oblique, DegenerateOnesAreErrors) {
-  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const double nan = std::nan("");
   for (const double beta : {0.0, 1e-4, 0.999, 90.001, -45.0, nan})
     expect_error([&] { oblique_factor(beta); }, ErrorKind::usage, "beta_degrees is");
   for (const double factor : {-0.5, 57.3, infinity, nan})

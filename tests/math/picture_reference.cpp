@@ -2,26 +2,18 @@
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <map>
+
+#include "tests/math/reference_real.hpp"
 
 namespace morphcl::reference {
 
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
-using Vector = std::array<Real, 3>;
-
 Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector operator*(const Real& s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Exact exact(const Real& value) {
-  const auto high = static_cast<double>(value);
-  return {high, static_cast<double>(Real(value - high))};
-}
 
 glm::dvec3 rounded(const Vector& a) {
   return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};

@@ -1,15 +1,13 @@
 #include "host/math/projection.hpp"
 
-#include <limits>
-
 #include "tests/math/check.hpp"
 
 namespace morphcl {
 namespace {
 
+using reference::infinity;
 using reference::u64;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Tangent of two values of 1 ulp (2u relative), their quotient, and the division by the aspect; less for the others.
 constexpr double entry_bound = 8 * u64;
 // Worked examples are small fractions: 2 ulp of 1.

@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+
+#include "tests/math/reference_real.hpp"
 
 namespace morphcl::reference {
 
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
-using Vector = std::array<Real, 3>;
 using Matrix = std::array<std::array<Real, 4>, 4>;
 
 const Real pi = boost::math::constants::pi<Real>();
 
-Exact exact(const Real& value) {
-  const auto high = static_cast<double>(value);
-  return {high, static_cast<double>(Real(value - high))};
-}
-
-Affine exact(const Matrix& m) {
+Affine exact_rows(const Matrix& m) {
   Affine rows;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) rows[r][c] = exact(m[r][c]);
@@ -40,7 +34,6 @@ Real reduced(double degrees) {
 
 Vector vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -118,7 +111,7 @@ Affine rotation_about_line(const glm::dvec3& from, const glm::dvec3& to, double 
     m[i][j] -= s * n[k];
   }
   for (int r = 0; r < 3; ++r) m[r][3] = point[r] - (m[r][0] * point[0] + m[r][1] * point[1] + m[r][2] * point[2]);
-  return exact(m);
+  return exact_rows(m);
 }
 
 Affine look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
@@ -130,7 +123,7 @@ Affine look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3
     for (int c = 0; c < 3; ++c) m[r][c] = axes[r][c];
     m[r][3] = -dot(axes[r], position);
   }
-  return exact(m);
+  return exact_rows(m);
 }
 
 Affine inverse(const glm::dmat4& affine) {
@@ -145,13 +138,13 @@ Affine inverse(const glm::dmat4& affine) {
     inverted[r][3] = 0;
     for (int c = 0; c < 3; ++c) inverted[r][3] -= inverted[r][c] * m[c][3];
   }
-  return exact(inverted);
+  return exact_rows(inverted);
 }
 
 Affine product(const std::vector<glm::dmat4>& factors) {
   Matrix m = identity();
   for (const glm::dmat4& factor : factors) m = times(matrix(factor), m);
-  return exact(m);
+  return exact_rows(m);
 }
 
 Exact difference_of_products(double a, double b, double c, double d) {

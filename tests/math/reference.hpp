@@ -6,12 +6,14 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace morphcl::reference {
 
 constexpr double u32 = 0x1p-24, u64 = 0x1p-53;  // half an ulp of 1 in fp32 and fp64
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Exact {
   double high = 0, low = 0;

@@ -1,12 +1,11 @@
 #include "host/math/transform_2d.hpp"
 
-#include <limits>
-
 #include "tests/math/check.hpp"
 
 namespace morphcl {
 namespace {
 
+using reference::infinity;
 using reference::u64;
 
 glm::dvec2 apply(const glm::dmat3& m, const glm::dvec2& p) { return glm::dvec2(m * glm::dvec3(p, 1)); }
@@ -95,7 +94,7 @@ TEST(Pipeline2d, WorldToPixelsKeepsProportions) {
 }
 
 TEST(Transform2d, HostileInputIsAnError) {
-  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::nan("");
   expect_error([&] { CompositeTransform2d().translate({nan, 0}); }, ErrorKind::usage, "translate");
   expect_error([&] { CompositeTransform2d().rotate_degrees(infinity); }, ErrorKind::usage, "degrees is inf");
   expect_error([&] { CompositeTransform2d().rotate_about_degrees({nan, 0}, 1); }, ErrorKind::usage, "rotate_about");

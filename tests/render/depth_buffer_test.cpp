@@ -12,6 +12,7 @@
 #include "host/render/plan/planner.hpp"
 #include "host/render/reference/reference_renderer.hpp"
 #include "host/render/reference/visibility.hpp"
+#include "tests/math/reference.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
@@ -20,9 +21,8 @@
 namespace morphcl::test {
 namespace {
 
+using reference::infinity;
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 FrameBuffer draw(Renderer& renderer, const FramePlan& plan) {
   FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
@@ -39,7 +39,7 @@ Exact closeness(const FramePlan& plan, double far, const Exact& distance) {
   return (Exact(plan.near) / distance - ratio) / (1 - ratio);
 }
 
-class DepthBuffers : public testing::TestWithParam<DepthFormat> {
+class DepthBuffers : public ::testing::TestWithParam<DepthFormat> {
  protected:
   Scene with_format(Scene scene) const {
     scene.image.depth_format = GetParam();
@@ -51,16 +51,17 @@ class DepthBuffers : public testing::TestWithParam<DepthFormat> {
     return round(exact_closeness * Exact(steps_of(GetParam())));
   }
 };
-INSTANTIATE_TEST_SUITE_P(Formats, DepthBuffers, testing::ValuesIn(depth_formats),
+INSTANTIATE_TEST_SUITE_P(Formats, DepthBuffers, ::testing::ValuesIn(depth_formats),
                          [](const auto& format) { return std::string(name_of(format.param)); });
 
 class ForwardDepthBuffers : public DepthBuffers {};
 INSTANTIATE_TEST_SUITE_P(Formats, ForwardDepthBuffers,
-                         testing::ValuesIn(depth_formats.begin() + 1, depth_formats.end()),
+                         ::testing::ValuesIn(depth_formats.begin() + 1, depth_formats.end()),
                          [](const auto& format) { return std::string(name_of(format.param)); });
 
 class FixedDepthBuffers : public DepthBuffers {};
-INSTANTIATE_TEST_SUITE_P(Formats, FixedDepthBuffers, testing::ValuesIn(depth_formats.begin() + 2, depth_formats.end()),
+INSTANTIATE_TEST_SUITE_P(Formats, FixedDepthBuffers,
+                         ::testing::ValuesIn(depth_formats.begin() + 2, depth_formats.end()),
                          [](const auto& format) { return std::string(name_of(format.param)); });
 
 TEST_P(DepthBuffers, TheDeviceDrawsTheReferencesBits) {

@@ -8,14 +8,17 @@
 #include <limits>
 #include <random>
 
+#include "tests/math/reference.hpp"
+
 namespace morphcl::test {
 namespace {
 
+using reference::infinity;
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const DepthRange catalogue{0.1, 1e5};
-const DepthRange ranges[] = {catalogue, {0.1, infinity}, {1e-3, 1e9}, {0.5, 0.75}, {-3, 7, true}, {0.1, 1e4, true}};
+const DepthRange depth_ranges[] = {catalogue,   {0.1, infinity}, {1e-3, 1e9},
+                                   {0.5, 0.75}, {-3, 7, true},   {0.1, 1e4, true}};
 
 Exact exact_value(DepthFormat format, const DepthRange& range, double distance) {
   const Exact n = range.near, f = range.far, d = distance;
@@ -49,7 +52,7 @@ class LogUniform {
 
 TEST(DepthFormat, StoresTheExactValueRoundedToNearest) {
   for (const DepthFormat format : depth_formats)
-    for (const DepthRange& range : ranges) {
+    for (const DepthRange& range : depth_ranges) {
       LogUniform distance(range, 11);
       for (int i = 0; i < 5000; ++i) {
         const double d = distance(), stored = stored_depth(format, range, d);
@@ -62,7 +65,7 @@ TEST(DepthFormat, StoresTheExactValueRoundedToNearest) {
 
 TEST(DepthFormat, KeepsTheOrderOfNeighbouringDistances) {
   for (const DepthFormat format : depth_formats)
-    for (const DepthRange& range : ranges) {
+    for (const DepthRange& range : depth_ranges) {
       LogUniform distance(range, 12);
       for (int i = 0; i < 5000; ++i) {
         const double d = distance(), next = std::nextafter(d, infinity);
@@ -74,7 +77,7 @@ TEST(DepthFormat, KeepsTheOrderOfNeighbouringDistances) {
 
 TEST(DepthFormat, DistancesAreThoseOfTheNumbers) {
   for (const DepthFormat format : depth_formats)
-    for (const DepthRange& range : ranges) {
+    for (const DepthRange& range : depth_ranges) {
       LogUniform distance(range, 13);
       for (int i = 0; i < 2000; ++i) {
         const double stored = stored_depth(format, range, distance());
@@ -90,7 +93,7 @@ TEST(DepthFormat, DistancesAreThoseOfTheNumbers) {
 }
 
 TEST(DepthFormat, PlanesHaveTheEndsOfTheRange) {
-  for (const DepthRange& range : ranges) {
+  for (const DepthRange& range : depth_ranges) {
     EXPECT_EQ(stored_depth(DepthFormat::forward_float, range, range.near), 0);
     EXPECT_EQ(stored_depth(DepthFormat::forward_float, range, range.far), 1);
     for (const DepthFormat format : {DepthFormat::fixed16, DepthFormat::fixed24, DepthFormat::fixed32}) {

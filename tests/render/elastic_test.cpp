@@ -18,7 +18,7 @@
 namespace morphcl::test {
 namespace {
 
-constexpr int width = 240, height = 160;
+constexpr int elastic_width = 240, elastic_height = 160;
 
 // From 0 to 1 within 6 frames, then held.
 Track growing(const Timeline& timeline) {
@@ -40,7 +40,7 @@ Elastic soft(double stiffness) {
 
 // A pyramid in modes, a sphere in steps, and a cube that stands still between them.
 Scene elastic_scene(Shading shading) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(elastic_width, elastic_height);
   builder.look({0.5, 1.5, 5});
   builder.add(make_pyramid_to_cube(), shading, place({-1.3, -0.4, 0}, 0.012) * place({-100, -100, -65}));
   builder.add(make_cube(), shading, place({0, -0.9, 0}, 0.3), {0.9, 0.3, 0.3, 1});
@@ -67,7 +67,7 @@ TEST_P(ElasticObjects, DeviceEqualsReferenceInAnyOrder) {
   const Scene scene = elastic_scene(GetParam());
   const Planner planner(scene);
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
-  FrameBuffer kept(width, height, true, true);
+  FrameBuffer kept(elastic_width, elastic_height, true, true);
   for (const std::int64_t frame : {0, 5, 6, 7, 7, 30, 12, 57, 0, 8}) {
     const FramePlan plan = planner.plan(frame);
     ASSERT_EQ(plan.draws.size(), 3u);
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Shadings, ElasticObjects,
                          ::testing::Values(Shading::flat, Shading::smooth, Shading::wireframe, Shading::unlit));
 
 TEST(ElasticObject, TwoOfOneMeshMoveEachOnItsOwn) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(elastic_width, elastic_height);
   builder.look({0, 0, 6});
   builder.add(make_sphere_to_cube({12, 8}), Shading::smooth, place({-1.5, 0, 0}));
   Scene scene = builder.scene();
@@ -140,7 +140,7 @@ TEST(ElasticObject, RestInTheMeshItselfBeforeTheFirstKey) {
 
 // Its weights keep the object below the picture; its springs throw it into it.
 TEST(ElasticObject, AreSeenWhereTheirSpringsThrowThem) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(elastic_width, elastic_height);
   builder.look({0, 0, 4});
   Mesh mesh = make_cube();
   MorphTarget lifted;
@@ -185,7 +185,7 @@ TEST(ElasticObject, PlansSayHowTheyAreMoved) {
 }
 
 TEST(ElasticObject, StiffEdgesOfAnyRatioStayFinite) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(elastic_width, elastic_height);
   builder.add(make_sphere_to_cube({24, 16}), Shading::flat, glm::dmat4(1.0));
   Scene& scene = builder.scene();
   scene.objects[0].morph.tracks.push_back({0, growing(scene.timeline)});

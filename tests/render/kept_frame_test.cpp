@@ -13,7 +13,7 @@
 namespace morphcl::test {
 namespace {
 
-constexpr int width = 300, height = 200;
+constexpr int kept_width = 300, kept_height = 200;
 
 Track steps(const Timeline& timeline, int components, const std::vector<double>& values) {
   std::vector<std::int64_t> ticks;
@@ -25,7 +25,7 @@ Track steps(const Timeline& timeline, int components, const std::vector<double>&
 // Something stands still, something moves, something comes and goes (its vertices change their place among the others),
 // something morphs, and for two frames nothing at all changes; at the end only the camera and the light move.
 Scene lively_scene(Shading shading) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(kept_width, kept_height);
   builder.look({3, 2, 6});
   builder.add(make_cube(), shading, place({-1.5, 0, 0}));
   builder.add(make_sphere({24, 16}), shading, place({0.0, 0.0, -1.0}), {0.2, 0.6, 0.9, 1});
@@ -51,7 +51,7 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
 
   void expect_parity(const Planner& planner, std::int64_t frame, FrameBuffer& buffer, bool anything_in_view = true) {
     const FramePlan plan = planner.plan(frame);
-    FrameBuffer expected(width, height, true, true);
+    FrameBuffer expected(kept_width, kept_height, true, true);
     reference_->render(plan, expected);
     device_->render(plan, buffer);
     EXPECT_TRUE(same_pixels(expected, buffer)) << "frame " << frame;
@@ -65,14 +65,14 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
 
 TEST_P(KeptFrame, OneBufferForwardsAndBackwards) {
   const Planner planner(scene_);
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
     expect_parity(planner, frame, buffer);
 }
 
 TEST_P(KeptFrame, TwoBuffersInTurn) {
   const Planner planner(scene_);
-  FrameBuffer first(width, height, true, true), second(width, height, true, true);
+  FrameBuffer first(kept_width, kept_height, true, true), second(kept_width, kept_height, true, true);
   for (const std::int64_t frame : {0, 6, 1, 5, 5, 2, 4}) {
     expect_parity(planner, frame, first);
     expect_parity(planner, (frame + 1) % 7, second);
@@ -81,7 +81,7 @@ TEST_P(KeptFrame, TwoBuffersInTurn) {
 
 TEST_P(KeptFrame, WhatOthersWroteIntoTheBufferIsDrawnOver) {
   const Planner planner(scene_);
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   expect_parity(planner, 0, buffer);
   for (int channel = 0; channel < 4; ++channel)
     std::fill_n(buffer.color(channel), buffer.plane_elements(), std::uint16_t{0x3c00});
@@ -91,7 +91,7 @@ TEST_P(KeptFrame, WhatOthersWroteIntoTheBufferIsDrawnOver) {
 }
 
 TEST_P(KeptFrame, AnotherPlannersMeshesAreNotTakenForThese) {
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   {
     const Planner planner(scene_);
     expect_parity(planner, 3, buffer);
@@ -105,7 +105,7 @@ TEST_P(KeptFrame, AnotherPlannersMeshesAreNotTakenForThese) {
 
 // The list of draws stays, and the renderer leaves its tables as they are but for the targets.
 TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(kept_width, kept_height);
   builder.look({3, 2, 6});
   for (int i = 0; i < 3; ++i) {
     builder.add(make_pyramid_to_cube(), GetParam(), place({i - 2.0, -0.5, 0}, 0.01) * place({-100, -100, -65}));
@@ -115,14 +115,14 @@ TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
   scene_.objects[0].morph.tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 1, 1, 0, 0.25})});
   scene_.objects[2].morph.tracks.push_back({0, steps(timeline, 1, {0.5, 1, 0, 1, 1, 0, 0})});
   const Planner planner(scene_);
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
     expect_parity(planner, frame, buffer);
 }
 
 // First among the draws, so that the others change their place.
 TEST_P(KeptFrame, WhatMovesLeavesAndOnlyStillObjectsRemain) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(kept_width, kept_height);
   builder.look({3, 2, 6});
   for (int i = 0; i < 3; ++i) builder.add(make_cube(), GetParam(), place({1.5 * i - 1.5, 0, 0}));
   scene_ = builder.scene();
@@ -130,12 +130,12 @@ TEST_P(KeptFrame, WhatMovesLeavesAndOnlyStillObjectsRemain) {
   timeline.nodes[0].translation_track = steps(timeline, 3, {0, 0, 0, 0, 0.5, 0, 0, 1, 0, 0, 1, 0, 0, 99, 0, 0, 99, 0});
   timeline.nodes[0].visible_track = steps(timeline, 1, {1, 1, 0, 0, 1, 1, 1});
   const Planner planner(scene_);
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 1, 4, 5, 0, 2, 0, 5, 5}) expect_parity(planner, frame, buffer);
 }
 
 TEST_P(KeptFrame, TheCameraTurnsAwayFromEverythingAndBack) {
-  SceneBuilder builder(width, height);
+  SceneBuilder builder(kept_width, kept_height);
   builder.look({3, 2, 6});
   builder.add(make_pyramid_to_cube(), GetParam(), place({0, 0, 0}, 0.01) * place({-100, -100, -65}));
   scene_ = builder.scene();
@@ -143,7 +143,7 @@ TEST_P(KeptFrame, TheCameraTurnsAwayFromEverythingAndBack) {
   scene_.objects[0].morph.weights[0] = 0.5;
   timeline.camera.target_track = steps(timeline, 3, {0, 0, 0, 0, 0, 0, 9, 2, 9, 9, 2, 9, 0, 0, 0});
   const Planner planner(scene_);
-  FrameBuffer buffer(width, height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, true, true);
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 2, 2, 0})
     expect_parity(planner, frame, buffer, frame != 2 && frame != 3);
 }

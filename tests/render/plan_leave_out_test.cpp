@@ -14,7 +14,7 @@
 namespace morphcl::test {
 namespace {
 
-constexpr int width = 150, height = 90;
+constexpr int leave_out_width = 150, leave_out_height = 90;
 
 struct Choice {
   const char* name;
@@ -42,7 +42,7 @@ FrameBuffer draw(Renderer& renderer, const Planner& planner, std::int64_t frame)
 
 TEST(LeaveOut, OnTheReferenceNoPixelChanges) {
   const auto renderer = make_reference_renderer();
-  for (const TestScene& test : test_scenes(width, height)) {
+  for (const TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
     const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
     for (const std::int64_t frame : test.frames) {
       const FrameBuffer expected = draw(*renderer, usual, frame), actual = draw(*renderer, nothing_left_out, frame);
@@ -54,7 +54,7 @@ TEST(LeaveOut, OnTheReferenceNoPixelChanges) {
 // Distances alone need no colours, normals or lights.
 TEST(LeaveOut, WithoutColourNoDistanceChanges) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
-  for (TestScene& test : test_scenes(width, height)) {
+  for (TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
     test.scene.image.color = false;
     const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
     for (const Draw& one : usual.plan(0).draws) {
@@ -70,7 +70,7 @@ TEST(LeaveOut, WithoutColourNoDistanceChanges) {
 
 TEST(LeaveOut, OnTheDeviceNoPixelChanges) {
   const auto renderer = make_device_renderer(shared_session());
-  for (const TestScene& test : test_scenes(width, height)) {
+  for (const TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
     const Planner usual(test.scene);
     for (const Choice& choice : choices) {
       SCOPED_TRACE(test.name + ": " + choice.name);
@@ -86,7 +86,7 @@ TEST(LeaveOut, OnTheDeviceNoPixelChanges) {
 // The test scenes give every item something to leave out; else the tests above would compare a plan with itself.
 TEST(LeaveOut, EveryItemIsLeftOutSomewhere) {
   bool objects = false, targets = false, normals = false, clipping = false, divide = false, depth_test = false;
-  for (const TestScene& test : test_scenes(width, height)) {
+  for (const TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
     const FramePlan usual = plan_frame(test.scene, 0), whole = plan_frame(test.scene, 0, {.leave_out = false});
     EXPECT_TRUE(whole.clips && whole.divides && whole.tests_depth) << test.name;
     EXPECT_FALSE(whole.keeps_vertices || whole.keeps_blank_tiles) << test.name;

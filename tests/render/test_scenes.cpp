@@ -150,8 +150,7 @@ Scene horizontal_perspective(int w, int h) {
   SceneBuilder b(w, h);
   b.add(make_torus({32, 16}), Shading::smooth);
   b.add(make_grid({7, 7}), Shading::flat, place({0, -0.3, 0}, 10));
-  const double infinity = std::numeric_limits<double>::infinity();
-  return b.look({0.8, 0.5, 2}).project(HorizontalPerspective{80, 0.2, infinity}).scene();
+  return b.look({0.8, 0.5, 2}).project(HorizontalPerspective{80, 0.2, std::numeric_limits<double>::infinity()}).scene();
 }
 
 Scene far_plane_cuts(int w, int h) {

@@ -27,7 +27,7 @@ TEST(FrameRange, TakesNegativeNumbers) {
 
 TEST(FrameRange, SortsAndDropsDoubles) { EXPECT_EQ(frames("8, 1-3 ,2-9x3"), (Frames{1, 2, 3, 5, 8})); }
 
-std::string refusal(const std::string& text) {
+std::string range_refusal(const std::string& text) {
   try {
     frames(text);
   } catch (const Error& error) {
@@ -40,30 +40,31 @@ std::string refusal(const std::string& text) {
 TEST(FrameRange, ExplainsWhatIsWrong) {
   const std::string form = "is not a frame or range; write for example 7, 1-10 or 1-10x2";
   EXPECT_EQ(
-      refusal("1:5"),
+      range_refusal("1:5"),
       "frame range \"1:5\": ':' is a step in some farms and an interleaved order in others; write the step as 1-10x2");
-  EXPECT_EQ(refusal("5-1"), "frame range \"5-1\": 5-1 runs backwards; write 1-5");
-  EXPECT_EQ(refusal(""), "frame range \"\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
-  EXPECT_EQ(refusal("1,,2"), "frame range \"1,,2\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
-  EXPECT_EQ(refusal("1,"), "frame range \"1,\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
-  EXPECT_EQ(refusal("abc"), "frame range \"abc\": \"abc\" " + form);
-  EXPECT_EQ(refusal("1.5"), "frame range \"1.5\": \"1.5\" " + form);
-  EXPECT_EQ(refusal("1-"), "frame range \"1-\": \"1-\" " + form);
-  EXPECT_EQ(refusal("1x2"), "frame range \"1x2\": \"1x2\" " + form);
-  EXPECT_EQ(refusal("1 - 3"), "frame range \"1 - 3\": \"1 - 3\" " + form);
-  EXPECT_EQ(refusal("1-9x0"), "frame range \"1-9x0\": the step 0 must be at least 1");
-  EXPECT_EQ(refusal("1-9x-2"), "frame range \"1-9x-2\": the step -2 must be at least 1");
-  EXPECT_EQ(refusal("0-1000001"), "frame range \"0-1000001\": frame numbers and steps reach from -1000000 to 1000000");
-  EXPECT_EQ(refusal("99999999999999999999"),
+  EXPECT_EQ(range_refusal("5-1"), "frame range \"5-1\": 5-1 runs backwards; write 1-5");
+  EXPECT_EQ(range_refusal(""), "frame range \"\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
+  EXPECT_EQ(range_refusal("1,,2"), "frame range \"1,,2\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
+  EXPECT_EQ(range_refusal("1,"), "frame range \"1,\": a frame is missing; write for example 7, 1-10 or 1-10x2,20");
+  EXPECT_EQ(range_refusal("abc"), "frame range \"abc\": \"abc\" " + form);
+  EXPECT_EQ(range_refusal("1.5"), "frame range \"1.5\": \"1.5\" " + form);
+  EXPECT_EQ(range_refusal("1-"), "frame range \"1-\": \"1-\" " + form);
+  EXPECT_EQ(range_refusal("1x2"), "frame range \"1x2\": \"1x2\" " + form);
+  EXPECT_EQ(range_refusal("1 - 3"), "frame range \"1 - 3\": \"1 - 3\" " + form);
+  EXPECT_EQ(range_refusal("1-9x0"), "frame range \"1-9x0\": the step 0 must be at least 1");
+  EXPECT_EQ(range_refusal("1-9x-2"), "frame range \"1-9x-2\": the step -2 must be at least 1");
+  EXPECT_EQ(range_refusal("0-1000001"),
+            "frame range \"0-1000001\": frame numbers and steps reach from -1000000 to 1000000");
+  EXPECT_EQ(range_refusal("99999999999999999999"),
             "frame range \"99999999999999999999\": frame numbers and steps reach from -1000000 to 1000000");
 }
 
 TEST(FrameRange, IsBounded) {
   EXPECT_EQ(frames("1-1000000").size(), 1'000'000u);
-  EXPECT_EQ(refusal("0-1000000"), "more than 1000000 frames are asked for");
+  EXPECT_EQ(range_refusal("0-1000000"), "more than 1000000 frames are asked for");
   std::string many = "0";
   for (int i = 0; i < 10'000; ++i) many += ",0-999999";
-  EXPECT_NE(refusal(many).find("more than 10000 parts"), std::string::npos);
+  EXPECT_NE(range_refusal(many).find("more than 10000 parts"), std::string::npos);
 }
 
 TEST(FrameNumbers, NeedAFrame) {

@@ -11,7 +11,7 @@
 namespace morphcl::test {
 namespace {
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Triangulation = std::vector<std::array<std::uint32_t, 3>>;
 
 double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
@@ -26,7 +26,7 @@ void expect_cover(const std::vector<glm::ivec2>& outline) {
     corners.emplace_back(outline[i].x, outline[i].y, 0);
     expected += area({0, 0}, outline[i], outline[(i + 1) % outline.size()]);
   }
-  Triangles triangles;
+  Triangulation triangles;
   ASSERT_TRUE(triangulate_polygon(corners, triangles));
   EXPECT_EQ(triangles.size(), outline.size() - 2);
   double sum = 0;
@@ -39,9 +39,9 @@ void expect_cover(const std::vector<glm::ivec2>& outline) {
 }
 
 TEST(PolygonTriangulation, ConvexQuadIsTheFanOfItsFirstCorner) {
-  Triangles triangles;
+  Triangulation triangles;
   ASSERT_TRUE(triangulate_polygon(std::vector<glm::vec3>{{0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}}, triangles));
-  EXPECT_EQ(triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(triangles, (Triangulation{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(PolygonTriangulation, ConcaveQuadIsCutThroughItsDent) {
@@ -79,7 +79,7 @@ TEST(PolygonTriangulation, AnyPlaneAndFarAway) {
     std::vector<glm::vec3> corners;
     for (const glm::dvec2& p : {glm::dvec2{0, 0}, {8, 0}, {8, 8}, {4, 2}, {0, 8}})
       corners.emplace_back(glm::dvec3(1e4, -2e4, 3e4) + p.x * u + p.y * v);
-    Triangles triangles;
+    Triangulation triangles;
     ASSERT_TRUE(triangulate_polygon(corners, triangles));
     const glm::dvec3 normal = glm::cross(u, v);
     double sum = 0;
@@ -98,7 +98,7 @@ TEST(PolygonTriangulation, CrossingAndFlatPolygonsEnd) {
   for (const std::vector<glm::vec3>& corners :
        {std::vector<glm::vec3>{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}, std::vector<glm::vec3>(6, {1, 2, 3}),
         std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1, 0, 0}}}) {
-    Triangles triangles;
+    Triangulation triangles;
     ASSERT_TRUE(triangulate_polygon(corners, triangles));
     EXPECT_EQ(triangles.size(), corners.size() - 2);
   }
@@ -119,7 +119,7 @@ TEST(PolygonTriangulation, LargeConvexIsAFanAndLargeConcaveIsRefused) {
     const double angle = 2 * std::numbers::pi * i / 100'000;
     circle.emplace_back(1000 * std::cos(angle), 1000 * std::sin(angle), 0);
   }
-  Triangles triangles;
+  Triangulation triangles;
   EXPECT_TRUE(triangulate_polygon(star(max_ear_clipping_corners / 2), triangles));
   EXPECT_EQ(triangles.size(), max_ear_clipping_corners - 2);
   triangles.clear();

@@ -11,14 +11,14 @@ namespace {
 
 using test::ShotFolder;
 
-struct Wrong {
+struct BadShot {
   const char* name;
   const char* shot;      // one more object with the mesh "cube" is added after it
   const char* expected;  // after "shot.toml:"
 };
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+void PrintTo(const BadShot& wrong, std::ostream* out) { *out << wrong.name; }
 
-class WrongShot : public ::testing::TestWithParam<Wrong> {};
+class WrongShot : public ::testing::TestWithParam<BadShot> {};
 
 TEST_P(WrongShot, IsRefusedWithItsPlace) {
   const ShotFolder folder;
@@ -34,185 +34,188 @@ TEST(WrongSyntax, IsRefusedWithItsPlace) {
   EXPECT_EQ(folder.refusal("[frames\nfps = 25").substr(0, 12), "shot.toml:1:");
 }
 
-std::string name_of(const ::testing::TestParamInfo<Wrong>& test) { return test.param.name; }
+std::string bad_shot_name(const ::testing::TestParamInfo<BadShot>& test) { return test.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(
     Syntax, WrongShot,
     ::testing::Values(
-        Wrong{"UnknownTable", "[camra]\nnear = 1", "1:2: unknown key \"camra\" in a shot; did you mean \"camera\"?"},
-        Wrong{"UnknownKey", "[frames]\nfsp = 25", "2:1: unknown key \"fsp\" in frames; did you mean \"fps\"?"},
-        Wrong{"UnknownKeyFarFromAny", "[frames]\nzoom = 25", "2:1: unknown key \"zoom\" in frames; known: range, fps"},
-        Wrong{"OneTableInsteadOfSeveral", "[light]\ndirection = [0, 0, 1]",
-              "1:1: light is one table; several are possible, so write it with [[ ]]"},
-        Wrong{"TableIsAValue", "image = 5", "1:9: image is an integer; a table is needed"},
-        Wrong{"Date", "[frames]\nfps = 2020-01-01", "2:7: fps is a date; an integer is needed"},
-        Wrong{"LongDottedKey", "a.b.c.d.e.f.g.h.i = 1", "1:16: a key of more than 8 parts"}),
-    name_of);
+        BadShot{"UnknownTable", "[camra]\nnear = 1", "1:2: unknown key \"camra\" in a shot; did you mean \"camera\"?"},
+        BadShot{"UnknownKey", "[frames]\nfsp = 25", "2:1: unknown key \"fsp\" in frames; did you mean \"fps\"?"},
+        BadShot{"UnknownKeyFarFromAny", "[frames]\nzoom = 25",
+                "2:1: unknown key \"zoom\" in frames; known: range, fps"},
+        BadShot{"OneTableInsteadOfSeveral", "[light]\ndirection = [0, 0, 1]",
+                "1:1: light is one table; several are possible, so write it with [[ ]]"},
+        BadShot{"TableIsAValue", "image = 5", "1:9: image is an integer; a table is needed"},
+        BadShot{"Date", "[frames]\nfps = 2020-01-01", "2:7: fps is a date; an integer is needed"},
+        BadShot{"LongDottedKey", "a.b.c.d.e.f.g.h.i = 1", "1:16: a key of more than 8 parts"}),
+    bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Image, WrongShot,
     ::testing::Values(
-        Wrong{"SizeIsText", "[image]\nsize = \"big\"", "2:8: size must be two integers: [width, height] in pixels"},
-        Wrong{"SizeOfThree", "[image]\nsize = [1, 2, 3]", "2:8: size must be two integers: [width, height] in pixels"},
-        Wrong{"SizeZero", "[image]\nsize = [0, 18]", "2:9: size is 0 pixels; 1 to 16384 are possible"},
-        Wrong{"SizeNegative", "[image]\nsize = [32, -18]", "2:13: size is -18 pixels; 1 to 16384 are possible"},
-        Wrong{"SizeAbsurd", "[image]\nsize = [32, 1000000000000]",
-              "2:13: size is 1000000000000 pixels; 1 to 16384 are possible"},
-        Wrong{"SizeJustTooLarge", "[image]\nsize = [16385, 1]", "2:9: size is 16385 pixels; 1 to 16384 are possible"},
-        Wrong{"SizeFraction", "[image]\nsize = [32.5, 18]", "2:9: size is a number; an integer is needed"},
-        Wrong{"LaterChannel", "[image]\nchannels = [\"RGBA\", \"N\"]",
-              "2:21: channel \"N\": not drawn by this version: RGBA and Z are"},
-        Wrong{"UnknownChannel", "[image]\nchannels = [\"RGB\"]",
-              "2:13: unknown channel \"RGB\"; did you mean \"RGBA\"?"},
-        Wrong{"ChannelTwice", "[image]\nchannels = [\"Z\", \"Z\"]", "2:18: channel \"Z\" is named twice"},
-        Wrong{"NoChannel", "[image]\nchannels = []", "2:12: channels is empty; name RGBA, Z or both"},
-        Wrong{"ChannelsText", "[image]\nchannels = \"RGBA\"", "2:12: channels is a string; an array is needed"},
-        Wrong{"LaterSamples", "[image]\nsamples = 4", "2:11: samples = 4: not drawn by this version: 1 is"},
-        Wrong{"WrongSamples", "[image]\nsamples = 3", "2:11: samples is 3; 1 is possible"},
-        Wrong{"UnknownDepthBuffer", "[image]\ndepth_buffer = \"fixed23\"",
-              "2:16: unknown depth_buffer \"fixed23\"; did you mean \"fixed24\"?"},
-        Wrong{"AccuracyWithoutPixels", "[accuracy]\n",
-              "1:1: accuracy needs pixels: how far a vertex may be from its exact place"},
-        Wrong{"AccuracyOfNothing", "[accuracy]\npixels = 0", "2:10: pixels is 0; a number above 0 is needed"},
-        Wrong{"UnknownCompression", "[image]\ncompression = \"zipp\"",
-              "2:15: unknown compression \"zipp\"; did you mean \"zips\"?"}),
-    name_of);
+        BadShot{"SizeIsText", "[image]\nsize = \"big\"", "2:8: size must be two integers: [width, height] in pixels"},
+        BadShot{"SizeOfThree", "[image]\nsize = [1, 2, 3]",
+                "2:8: size must be two integers: [width, height] in pixels"},
+        BadShot{"SizeZero", "[image]\nsize = [0, 18]", "2:9: size is 0 pixels; 1 to 16384 are possible"},
+        BadShot{"SizeNegative", "[image]\nsize = [32, -18]", "2:13: size is -18 pixels; 1 to 16384 are possible"},
+        BadShot{"SizeAbsurd", "[image]\nsize = [32, 1000000000000]",
+                "2:13: size is 1000000000000 pixels; 1 to 16384 are possible"},
+        BadShot{"SizeJustTooLarge", "[image]\nsize = [16385, 1]", "2:9: size is 16385 pixels; 1 to 16384 are possible"},
+        BadShot{"SizeFraction", "[image]\nsize = [32.5, 18]", "2:9: size is a number; an integer is needed"},
+        BadShot{"LaterChannel", "[image]\nchannels = [\"RGBA\", \"N\"]",
+                "2:21: channel \"N\": not drawn by this version: RGBA and Z are"},
+        BadShot{"UnknownChannel", "[image]\nchannels = [\"RGB\"]",
+                "2:13: unknown channel \"RGB\"; did you mean \"RGBA\"?"},
+        BadShot{"ChannelTwice", "[image]\nchannels = [\"Z\", \"Z\"]", "2:18: channel \"Z\" is named twice"},
+        BadShot{"NoChannel", "[image]\nchannels = []", "2:12: channels is empty; name RGBA, Z or both"},
+        BadShot{"ChannelsText", "[image]\nchannels = \"RGBA\"", "2:12: channels is a string; an array is needed"},
+        BadShot{"LaterSamples", "[image]\nsamples = 4", "2:11: samples = 4: not drawn by this version: 1 is"},
+        BadShot{"WrongSamples", "[image]\nsamples = 3", "2:11: samples is 3; 1 is possible"},
+        BadShot{"UnknownDepthBuffer", "[image]\ndepth_buffer = \"fixed23\"",
+                "2:16: unknown depth_buffer \"fixed23\"; did you mean \"fixed24\"?"},
+        BadShot{"AccuracyWithoutPixels", "[accuracy]\n",
+                "1:1: accuracy needs pixels: how far a vertex may be from its exact place"},
+        BadShot{"AccuracyOfNothing", "[accuracy]\npixels = 0", "2:10: pixels is 0; a number above 0 is needed"},
+        BadShot{"UnknownCompression", "[image]\ncompression = \"zipp\"",
+                "2:15: unknown compression \"zipp\"; did you mean \"zips\"?"}),
+    bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Frames, WrongShot,
     ::testing::Values(
-        Wrong{"Empty", "[frames]\nrange = \"\"",
-              "2:9: frame range \"\": a frame is missing; write for example 7, 1-10 or 1-10x2,20"},
-        Wrong{"Backwards", "[frames]\nrange = \"5-1\"", "2:9: frame range \"5-1\": 5-1 runs backwards; write 1-5"},
-        Wrong{"Colon", "[frames]\nrange = \"1:5\"",
-              "2:9: frame range \"1:5\": ':' is a step in some farms and an interleaved order in others; write the "
-              "step as "
-              "1-10x2"},
-        Wrong{"TooMany", "[frames]\nrange = \"0-1000000\"", "2:9: more than 1000000 frames are asked for"},
-        Wrong{"RangeIsANumber", "[frames]\nrange = 5", "2:9: range is an integer; a string is needed"},
-        Wrong{"FpsZero", "[frames]\nfps = 0", "2:7: fps holds 0; 1 to 1000000 is possible"},
-        Wrong{"FpsFraction", "[frames]\nfps = 23.976", "2:7: fps is a number; an integer is needed"},
-        Wrong{"FpsDenominatorZero", "[frames]\nfps = [24000, 0]", "2:15: fps holds 0; 1 to 1000000 is possible"},
-        Wrong{"FpsOfThree", "[frames]\nfps = [1, 2, 3]", "2:7: fps must be an integer or [numerator, denominator]"}),
-    name_of);
+        BadShot{"Empty", "[frames]\nrange = \"\"",
+                "2:9: frame range \"\": a frame is missing; write for example 7, 1-10 or 1-10x2,20"},
+        BadShot{"Backwards", "[frames]\nrange = \"5-1\"", "2:9: frame range \"5-1\": 5-1 runs backwards; write 1-5"},
+        BadShot{"Colon", "[frames]\nrange = \"1:5\"",
+                "2:9: frame range \"1:5\": ':' is a step in some farms and an interleaved order in others; write the "
+                "step as "
+                "1-10x2"},
+        BadShot{"TooMany", "[frames]\nrange = \"0-1000000\"", "2:9: more than 1000000 frames are asked for"},
+        BadShot{"RangeIsANumber", "[frames]\nrange = 5", "2:9: range is an integer; a string is needed"},
+        BadShot{"FpsZero", "[frames]\nfps = 0", "2:7: fps holds 0; 1 to 1000000 is possible"},
+        BadShot{"FpsFraction", "[frames]\nfps = 23.976", "2:7: fps is a number; an integer is needed"},
+        BadShot{"FpsDenominatorZero", "[frames]\nfps = [24000, 0]", "2:15: fps holds 0; 1 to 1000000 is possible"},
+        BadShot{"FpsOfThree", "[frames]\nfps = [1, 2, 3]", "2:7: fps must be an integer or [numerator, denominator]"}),
+    bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, WrongShot,
     ::testing::Values(
-        Wrong{"NearBeyondFar", "[camera]\nnear = 10\nfar = 1.0",
-              "3:7: near is 10 and far is 1; far must be greater than near"},
-        Wrong{"NearBeyondTheStandardFar", "[camera]\nnear = 100.0",
-              "2:8: near is 100 and far is 100; far must be greater than near"},
-        Wrong{"NearZero", "[camera]\nnear = 0.0", "2:8: near is 0; a number above 0 is needed"},
-        Wrong{"FarNan", "[camera]\nfar = nan", "2:7: far is nan; a number is needed"},
-        Wrong{"FarMinusInfinity", "[camera]\nfar = -inf", "2:7: far is -inf; a number is needed"},
-        Wrong{"NearInfinite", "[camera]\nnear = inf", "2:8: near is inf; a finite number is needed"},
-        Wrong{"FovyZero", "[camera]\nfovy_degrees = 0",
-              "2:16: fovy_degrees is 0 degrees; more than 0 and less than 180 is needed"},
-        Wrong{"FovyStraight", "[camera]\nfovy_degrees = 180.0",
-              "2:16: fovy_degrees is 180 degrees; more than 0 and less than 180 is needed"},
-        Wrong{"FovyText", "[camera]\nfovy_degrees = \"wide\"", "2:16: fovy_degrees is a string; a number is needed"},
-        Wrong{"UnknownProjection", "[camera]\nprojection = \"perspectiv\"",
-              "2:14: unknown projection \"perspectiv\"; did you mean \"perspective\"?"},
-        Wrong{"WindowOfAPerspective", "[camera]\nleft = -1", "2:8: the projection \"perspective\" has no left"},
-        Wrong{"FovyOfAFrustum", "[camera]\nprojection = \"frustum\"\nfovy_degrees = 45",
-              "3:16: the projection \"frustum\" has no fovy_degrees"},
-        Wrong{"EmptyWindow", "[camera]\nprojection = \"frustum\"\nleft = 2\nright = 2",
-              "4:9: left is 2 and right is 2; right must be greater"},
-        Wrong{"WindowUpsideDown", "[camera]\nprojection = \"orthographic\"\nbottom = 5",
-              "3:10: bottom is 5 and top is 1; top must be greater"},
-        Wrong{"OrthographicInfinite", "[camera]\nprojection = \"orthographic\"\nfar = inf",
-              "3:7: far is inf; a finite number is needed"},
-        Wrong{"EyeIsTarget", "[camera]\neye = [0, 0, 0]", "2:7: eye and target are the same point"},
-        Wrong{"EyeOfTwo", "[camera]\neye = [0, 0]", "2:7: eye must be three numbers: [x, y, z]"},
-        Wrong{"EyeNan", "[camera]\neye = [3.0, nan, 0]", "2:13: eye is nan; a number is needed"},
-        Wrong{"UpZero", "[camera]\nup = [0, 0, 0]", "2:6: up is [0, 0, 0]; it must have a direction"},
-        Wrong{"TrackOfNothing", "[camera]\n[[camera.track]]\ntarget = \"eyes\"\nkeys = [[0, 1]]",
-              "3:10: a camera has no value \"eyes\" to move; did you mean \"eye\"?"},
-        Wrong{"TrackTwice",
-              "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 1]]\n[[camera.track]]\ntarget = \"near\"\n"
-              "keys = [[0, 1]]",
-              "6:10: near is driven twice"},
-        Wrong{"TrackOfNearZero", "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 0]]",
-              "4:13: keys is 0; a number above 0 is needed"},
-        Wrong{"TrackOfFovyTooWide", "[camera]\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 200]]",
-              "4:13: keys is 200 degrees; more than 0 and less than 180 is needed"},
-        Wrong{"FovyTrackOfAFrustum",
-              "[camera]\nprojection = \"frustum\"\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 20]]",
-              "4:10: only a perspective projection has fovy_degrees, and only one without fovx_degrees"}),
-    name_of);
+        BadShot{"NearBeyondFar", "[camera]\nnear = 10\nfar = 1.0",
+                "3:7: near is 10 and far is 1; far must be greater than near"},
+        BadShot{"NearBeyondTheStandardFar", "[camera]\nnear = 100.0",
+                "2:8: near is 100 and far is 100; far must be greater than near"},
+        BadShot{"NearZero", "[camera]\nnear = 0.0", "2:8: near is 0; a number above 0 is needed"},
+        BadShot{"FarNan", "[camera]\nfar = nan", "2:7: far is nan; a number is needed"},
+        BadShot{"FarMinusInfinity", "[camera]\nfar = -inf", "2:7: far is -inf; a number is needed"},
+        BadShot{"NearInfinite", "[camera]\nnear = inf", "2:8: near is inf; a finite number is needed"},
+        BadShot{"FovyZero", "[camera]\nfovy_degrees = 0",
+                "2:16: fovy_degrees is 0 degrees; more than 0 and less than 180 is needed"},
+        BadShot{"FovyStraight", "[camera]\nfovy_degrees = 180.0",
+                "2:16: fovy_degrees is 180 degrees; more than 0 and less than 180 is needed"},
+        BadShot{"FovyText", "[camera]\nfovy_degrees = \"wide\"", "2:16: fovy_degrees is a string; a number is needed"},
+        BadShot{"UnknownProjection", "[camera]\nprojection = \"perspectiv\"",
+                "2:14: unknown projection \"perspectiv\"; did you mean \"perspective\"?"},
+        BadShot{"WindowOfAPerspective", "[camera]\nleft = -1", "2:8: the projection \"perspective\" has no left"},
+        BadShot{"FovyOfAFrustum", "[camera]\nprojection = \"frustum\"\nfovy_degrees = 45",
+                "3:16: the projection \"frustum\" has no fovy_degrees"},
+        BadShot{"EmptyWindow", "[camera]\nprojection = \"frustum\"\nleft = 2\nright = 2",
+                "4:9: left is 2 and right is 2; right must be greater"},
+        BadShot{"WindowUpsideDown", "[camera]\nprojection = \"orthographic\"\nbottom = 5",
+                "3:10: bottom is 5 and top is 1; top must be greater"},
+        BadShot{"OrthographicInfinite", "[camera]\nprojection = \"orthographic\"\nfar = inf",
+                "3:7: far is inf; a finite number is needed"},
+        BadShot{"EyeIsTarget", "[camera]\neye = [0, 0, 0]", "2:7: eye and target are the same point"},
+        BadShot{"EyeOfTwo", "[camera]\neye = [0, 0]", "2:7: eye must be three numbers: [x, y, z]"},
+        BadShot{"EyeNan", "[camera]\neye = [3.0, nan, 0]", "2:13: eye is nan; a number is needed"},
+        BadShot{"UpZero", "[camera]\nup = [0, 0, 0]", "2:6: up is [0, 0, 0]; it must have a direction"},
+        BadShot{"TrackOfNothing", "[camera]\n[[camera.track]]\ntarget = \"eyes\"\nkeys = [[0, 1]]",
+                "3:10: a camera has no value \"eyes\" to move; did you mean \"eye\"?"},
+        BadShot{"TrackTwice",
+                "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 1]]\n[[camera.track]]\ntarget = \"near\"\n"
+                "keys = [[0, 1]]",
+                "6:10: near is driven twice"},
+        BadShot{"TrackOfNearZero", "[camera]\n[[camera.track]]\ntarget = \"near\"\nkeys = [[0, 0]]",
+                "4:13: keys is 0; a number above 0 is needed"},
+        BadShot{"TrackOfFovyTooWide", "[camera]\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 200]]",
+                "4:13: keys is 200 degrees; more than 0 and less than 180 is needed"},
+        BadShot{"FovyTrackOfAFrustum",
+                "[camera]\nprojection = \"frustum\"\n[[camera.track]]\ntarget = \"fovy_degrees\"\nkeys = [[0, 20]]",
+                "4:10: only a perspective projection has fovy_degrees, and only one without fovx_degrees"}),
+    bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Drawings, WrongShot,
     ::testing::Values(
-        Wrong{"TwoFieldsOfView", "[camera]\nfovy_degrees = 40\nfovx_degrees = 50",
-              "3:16: fovy_degrees and fovx_degrees are both given; one says it all"},
-        Wrong{"FovxTrackWithoutFovx", "[camera]\n[[camera.track]]\ntarget = \"fovx_degrees\"\nkeys = [[0, 20]]",
-              "3:10: only a perspective projection that has fovx_degrees can move it"},
-        Wrong{"EyeOfAnIsometric", "[camera]\nprojection = \"isometric\"\neye = [1, 1, 1]",
-              "3:7: the projection \"isometric\" has no eye"},
-        Wrong{"FactorOfACabinet", "[camera]\nprojection = \"cabinet\"\nfactor = 0.5",
-              "3:10: the projection \"cabinet\" has no factor"},
-        Wrong{"ObliqueOfNoAngle", "[camera]\nprojection = \"oblique\"",
-              "1:1: an oblique projection needs a factor, or beta_degrees: 1 or 45 is cavalier, 0.5 is cabinet"},
-        Wrong{"ObliqueTwice", "[camera]\nprojection = \"oblique\"\nfactor = 1\nbeta_degrees = 45",
-              "4:16: factor and beta_degrees are both given; one says it all"},
-        Wrong{"ObliqueTooFlat", "[camera]\nprojection = \"oblique\"\nbeta_degrees = 1e-4",
-              "3:16: beta_degrees is 0.0001; it must be between 1 and 90: the closer the projectors run to the "
-              "picture's plane, the more an error of the angle moves the picture"},
-        Wrong{"ObliqueTooLong", "[camera]\nprojection = \"oblique\"\nfactor = 58",
-              "3:10: factor is 58; it must be between 0 and 57.29: beyond, the projectors run closer than 1 degree to "
-              "the picture's plane, and rounding shows"},
-        Wrong{"UnknownFit", "[camera]\nprojection = \"frustum\"\nfit = \"wide\"",
-              "3:7: unknown fit \"wide\"; did you mean \"widen\"?"},
-        Wrong{"UnknownView", "[camera]\nview = \"side\"",
-              "2:8: unknown view \"side\"; known: front, back, left, right, top, bottom"},
-        Wrong{"ViewAndEye", "[camera]\nview = \"top\"\neye = [0, 5, 0]",
-              "3:7: view says where the camera stands; eye must not be given"},
-        Wrong{"DistanceWithoutAView", "[camera]\ndistance = 5",
-              "2:12: distance belongs to view and to axonometric projections; here eye says where the camera stands"},
-        Wrong{"DistanceLost", "[camera]\nview = \"top\"\ntarget = [0, 1e20, 0]\ndistance = 1",
-              "4:12: distance is 1: too small beside the target"},
-        Wrong{"TrackOfAView", "[camera]\nview = \"top\"\n[[camera.track]]\ntarget = \"eye\"\nkeys = [[0, [1, 2, 3]]]",
-              "4:10: eye cannot move a camera that is placed by its view; give eye, target and up"},
-        Wrong{"DimetricOfThreeRatios", "[camera]\nprojection = \"dimetric\"\nratios = [1, 0.9, 0.5]",
-              "3:10: the ratios of a dimetric projection must have two equal ones; trimetric takes any"},
-        Wrong{"DimetricThatIsIsometric", "[camera]\nprojection = \"dimetric\"\nratios = [1, 1, 1]",
-              "3:10: the ratios of a dimetric projection must have a different one; isometric has three equal"},
-        Wrong{"RatiosOfNoView", "[camera]\nprojection = \"trimetric\"\nratios = [1, 0.5, 0.5]",
-              "1:1: ratios are (1, 0.5, 0.5); each must be 0 or more, and the square of none more than those of the "
-              "other two together"},
-        Wrong{"TrimetricOfNothing", "[camera]\nprojection = \"trimetric\"",
-              "1:1: a trimetric projection needs ratios, axis_angles_degrees, or azimuth_degrees and "
-              "elevation_degrees"},
-        Wrong{"TrimetricOfOneAngle", "[camera]\nprojection = \"trimetric\"\nazimuth_degrees = 30",
-              "1:1: camera needs the key \"elevation_degrees\""},
-        Wrong{
+        BadShot{"TwoFieldsOfView", "[camera]\nfovy_degrees = 40\nfovx_degrees = 50",
+                "3:16: fovy_degrees and fovx_degrees are both given; one says it all"},
+        BadShot{"FovxTrackWithoutFovx", "[camera]\n[[camera.track]]\ntarget = \"fovx_degrees\"\nkeys = [[0, 20]]",
+                "3:10: only a perspective projection that has fovx_degrees can move it"},
+        BadShot{"EyeOfAnIsometric", "[camera]\nprojection = \"isometric\"\neye = [1, 1, 1]",
+                "3:7: the projection \"isometric\" has no eye"},
+        BadShot{"FactorOfACabinet", "[camera]\nprojection = \"cabinet\"\nfactor = 0.5",
+                "3:10: the projection \"cabinet\" has no factor"},
+        BadShot{"ObliqueOfNoAngle", "[camera]\nprojection = \"oblique\"",
+                "1:1: an oblique projection needs a factor, or beta_degrees: 1 or 45 is cavalier, 0.5 is cabinet"},
+        BadShot{"ObliqueTwice", "[camera]\nprojection = \"oblique\"\nfactor = 1\nbeta_degrees = 45",
+                "4:16: factor and beta_degrees are both given; one says it all"},
+        BadShot{"ObliqueTooFlat", "[camera]\nprojection = \"oblique\"\nbeta_degrees = 1e-4",
+                "3:16: beta_degrees is 0.0001; it must be between 1 and 90: the closer the projectors run to the "
+                "picture's plane, the more an error of the angle moves the picture"},
+        BadShot{
+            "ObliqueTooLong", "[camera]\nprojection = \"oblique\"\nfactor = 58",
+            "3:10: factor is 58; it must be between 0 and 57.29: beyond, the projectors run closer than 1 degree to "
+            "the picture's plane, and rounding shows"},
+        BadShot{"UnknownFit", "[camera]\nprojection = \"frustum\"\nfit = \"wide\"",
+                "3:7: unknown fit \"wide\"; did you mean \"widen\"?"},
+        BadShot{"UnknownView", "[camera]\nview = \"side\"",
+                "2:8: unknown view \"side\"; known: front, back, left, right, top, bottom"},
+        BadShot{"ViewAndEye", "[camera]\nview = \"top\"\neye = [0, 5, 0]",
+                "3:7: view says where the camera stands; eye must not be given"},
+        BadShot{"DistanceWithoutAView", "[camera]\ndistance = 5",
+                "2:12: distance belongs to view and to axonometric projections; here eye says where the camera stands"},
+        BadShot{"DistanceLost", "[camera]\nview = \"top\"\ntarget = [0, 1e20, 0]\ndistance = 1",
+                "4:12: distance is 1: too small beside the target"},
+        BadShot{"TrackOfAView", "[camera]\nview = \"top\"\n[[camera.track]]\ntarget = \"eye\"\nkeys = [[0, [1, 2, 3]]]",
+                "4:10: eye cannot move a camera that is placed by its view; give eye, target and up"},
+        BadShot{"DimetricOfThreeRatios", "[camera]\nprojection = \"dimetric\"\nratios = [1, 0.9, 0.5]",
+                "3:10: the ratios of a dimetric projection must have two equal ones; trimetric takes any"},
+        BadShot{"DimetricThatIsIsometric", "[camera]\nprojection = \"dimetric\"\nratios = [1, 1, 1]",
+                "3:10: the ratios of a dimetric projection must have a different one; isometric has three equal"},
+        BadShot{"RatiosOfNoView", "[camera]\nprojection = \"trimetric\"\nratios = [1, 0.5, 0.5]",
+                "1:1: ratios are (1, 0.5, 0.5); each must be 0 or more, and the square of none more than those of the "
+                "other two together"},
+        BadShot{"TrimetricOfNothing", "[camera]\nprojection = \"trimetric\"",
+                "1:1: a trimetric projection needs ratios, axis_angles_degrees, or azimuth_degrees and "
+                "elevation_degrees"},
+        BadShot{"TrimetricOfOneAngle", "[camera]\nprojection = \"trimetric\"\nazimuth_degrees = 30",
+                "1:1: camera needs the key \"elevation_degrees\""},
+        BadShot{
             "AxisAnglesOfNoView", "[camera]\nprojection = \"trimetric\"\naxis_angles_degrees = [45, 45]",
             "1:1: the axes' angles are 45 and 45 degrees; each must be 0 or more, and their sum above 0 and below 90"},
-        Wrong{"CornerOfTwos", "[camera]\nprojection = \"isometric\"\ncorner = [1, 2, 1]",
-              "3:10: corner is (1, 2, 1); each number must be 1 or -1"}),
-    name_of);
+        BadShot{"CornerOfTwos", "[camera]\nprojection = \"isometric\"\ncorner = [1, 2, 1]",
+                "3:10: corner is (1, 2, 1); each number must be 1 or -1"}),
+    bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Light, WrongShot,
     ::testing::Values(
-        Wrong{"Neither", "[[light]]\ncolor = [1, 1, 1]", "1:1: a light needs either a direction or a position"},
-        Wrong{"Both", "[[light]]\ndirection = [0, 0, 1]\nposition = [0, 0, 1]",
-              "1:1: a light needs either a direction or a position"},
-        Wrong{"NoDirection", "[[light]]\ndirection = [0, 0, 0]",
-              "2:13: direction is [0, 0, 0]; it must point from the scene towards the light"},
-        Wrong{"NegativeColor", "[[light]]\ndirection = [0, 0, 1]\ncolor = [1, -0.5, 1]",
-              "3:13: color holds -0.5; 0 or more is needed"},
-        Wrong{"NegativeIntensity", "[[light]]\ndirection = [0, 0, 1]\nintensity = -1",
-              "3:13: intensity is -1; 0 or more is needed"},
-        Wrong{"FalloffOfADirection", "[[light]]\ndirection = [0, 0, 1]\nfalloff = true",
-              "3:11: only a light with a position falls off with distance"},
-        Wrong{"TrackOfTheOtherKind",
-              "[[light]]\ndirection = [0, 0, 1]\n[[light.track]]\ntarget = \"position\"\nkeys = [[0, [0, 0, 1]]]",
-              "4:10: a light has no value \"position\" to move; known: direction, color"},
-        Wrong{"AmbientOfTwo", "ambient = [0.1, 0.1]", "1:11: ambient must be three numbers: [red, green, blue]"}),
-    name_of);
+        BadShot{"Neither", "[[light]]\ncolor = [1, 1, 1]", "1:1: a light needs either a direction or a position"},
+        BadShot{"Both", "[[light]]\ndirection = [0, 0, 1]\nposition = [0, 0, 1]",
+                "1:1: a light needs either a direction or a position"},
+        BadShot{"NoDirection", "[[light]]\ndirection = [0, 0, 0]",
+                "2:13: direction is [0, 0, 0]; it must point from the scene towards the light"},
+        BadShot{"NegativeColor", "[[light]]\ndirection = [0, 0, 1]\ncolor = [1, -0.5, 1]",
+                "3:13: color holds -0.5; 0 or more is needed"},
+        BadShot{"NegativeIntensity", "[[light]]\ndirection = [0, 0, 1]\nintensity = -1",
+                "3:13: intensity is -1; 0 or more is needed"},
+        BadShot{"FalloffOfADirection", "[[light]]\ndirection = [0, 0, 1]\nfalloff = true",
+                "3:11: only a light with a position falls off with distance"},
+        BadShot{"TrackOfTheOtherKind",
+                "[[light]]\ndirection = [0, 0, 1]\n[[light.track]]\ntarget = \"position\"\nkeys = [[0, [0, 0, 1]]]",
+                "4:10: a light has no value \"position\" to move; known: direction, color"},
+        BadShot{"AmbientOfTwo", "ambient = [0.1, 0.1]", "1:11: ambient must be three numbers: [red, green, blue]"}),
+    bad_shot_name);
 
 }  // namespace
 }  // namespace morphcl

@@ -11,8 +11,8 @@ namespace {
 
 using test::ShotFolder;
 
-constexpr std::string_view triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-constexpr std::string_view high_triangle = "v 0 0 0\nv 1 0 0\nv 0 9 0\nf 1 2 3\n";
+constexpr std::string_view triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+constexpr std::string_view high_triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 9 0\nf 1 2 3\n";
 
 // Two nodes, one below the other, that draw the same unlit red triangle with one morph target "up".
 constexpr std::string_view two_nodes = R"({
@@ -82,8 +82,8 @@ mesh = "two.gltf"
 
 TEST(ShotFiles, ObjTargetsAreNamedByTheirFiles) {
   const ShotFolder folder;
-  folder.write("neutral.obj", triangle);
-  folder.write("high.obj", high_triangle);
+  folder.write("neutral.obj", triangle_obj);
+  folder.write("high.obj", high_triangle_obj);
   const Scene scene = folder.load(R"(
 [[object]]
 mesh = "neutral.obj"
@@ -121,7 +121,7 @@ TEST(ShotFiles, OfAModelAloneAreASceneWithAFittedCamera) {
 
 TEST(ShotFiles, OfAnyCaseOfExtensionAreModels) {
   const ShotFolder folder;
-  folder.write("A.OBJ", triangle);
+  folder.write("A.OBJ", triangle_obj);
   EXPECT_EQ(load_scene(folder.path("A.OBJ")).objects.size(), 1u);
 }
 

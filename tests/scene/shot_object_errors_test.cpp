@@ -13,14 +13,14 @@ namespace {
 
 using test::ShotFolder;
 
-struct Wrong {
+struct BadObject {
   const char* name;
   const char* object;    // the lines of [[object]] from line 2 on
   const char* expected;  // after "shot.toml:"
 };
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+void PrintTo(const BadObject& wrong, std::ostream* out) { *out << wrong.name; }
 
-class WrongObject : public ::testing::TestWithParam<Wrong> {};
+class WrongObject : public ::testing::TestWithParam<BadObject> {};
 
 TEST_P(WrongObject, IsRefusedWithItsPlace) {
   const ShotFolder folder;
@@ -29,163 +29,168 @@ TEST_P(WrongObject, IsRefusedWithItsPlace) {
             std::string("shot.toml:") + GetParam().expected);
 }
 
-std::string name_of(const ::testing::TestParamInfo<Wrong>& test) { return test.param.name; }
+std::string bad_object_name(const ::testing::TestParamInfo<BadObject>& test) { return test.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, WrongObject,
     ::testing::Values(
-        Wrong{"NoMesh", "name = \"a\"", "1:1: object needs the key \"mesh\""},
-        Wrong{"UnknownKey", "mesh = \"cube\"\ncolour = [1, 1, 1]",
-              "3:1: unknown key \"colour\" in object; did you mean \"color\"?"},
-        Wrong{"NameTwice", "mesh = \"cube\"\nname = \"a\"\n[[object]]\nmesh = \"cube\"\nname = \"a\"",
-              "6:8: the name \"a\" is used twice"},
-        Wrong{"NameEmpty", "mesh = \"cube\"\nname = \"\"", "3:8: name is empty"},
-        Wrong{"MeshIsANumber", "mesh = 5", "2:8: mesh is an integer; a string is needed"},
-        Wrong{"UnknownMesh", "mesh = \"sphree\"",
-              "2:8: mesh \"sphree\" is neither a built-in solid nor a .gltf, .glb or .obj file; did you mean "
-              "\"sphere\"?"},
-        Wrong{"LaterShading", "mesh = \"cube\"\nshading = \"hidden_line\"",
-              "3:11: shading \"hidden_line\": not drawn by this version: flat, smooth, unlit and wireframe are"},
-        Wrong{"UnknownShading", "mesh = \"cube\"\nshading = \"flatt\"",
-              "3:11: unknown shading \"flatt\"; did you mean \"flat\"?"},
-        Wrong{"ColorOfTwo", "mesh = \"cube\"\ncolor = [1, 1]",
-              "3:9: color must be three or four numbers: [red, green, blue] or [red, green, blue, alpha]"},
-        Wrong{"ColorNegative", "mesh = \"cube\"\ncolor = [0, -1, 0]", "3:13: color holds -1; 0 or more is needed"},
-        Wrong{"AlphaAboveOne", "mesh = \"cube\"\ncolor = [0, 0, 0, 2]", "3:19: color holds 2; 0 to 1 is needed"},
-        Wrong{"DoubleSidedText", "mesh = \"cube\"\ndouble_sided = \"yes\"",
-              "3:16: double_sided is a string; true or false is needed"},
-        Wrong{"SegmentsOfASolidWithoutThem", "mesh = \"cube\"\nsegments = [3, 3]",
-              "3:12: the solid \"cube\" takes no segments"},
-        Wrong{"SegmentsTooFew", "mesh = \"sphere\"\nsegments = [2, 2]",
-              "3:12: segments [2, 2] are too few; \"sphere\" needs at least [3, 2]"},
-        Wrong{"SegmentsTooMany", "mesh = \"sphere\"\nsegments = [100000, 100000]",
-              "3:12: segments [100000, 100000] make more than the 134217728 vertices that are allowed"},
-        Wrong{"SegmentsHuge", "mesh = \"sphere\"\nsegments = [9000000000000000000, 3]",
-              "3:13: segments holds 9000000000000000000; 1 or more is needed"},
-        Wrong{"SegmentsOfOne", "mesh = \"sphere\"\nsegments = 5", "3:12: segments must be two integers: [u, v]"}),
-    name_of);
+        BadObject{"NoMesh", "name = \"a\"", "1:1: object needs the key \"mesh\""},
+        BadObject{"UnknownKey", "mesh = \"cube\"\ncolour = [1, 1, 1]",
+                  "3:1: unknown key \"colour\" in object; did you mean \"color\"?"},
+        BadObject{"NameTwice", "mesh = \"cube\"\nname = \"a\"\n[[object]]\nmesh = \"cube\"\nname = \"a\"",
+                  "6:8: the name \"a\" is used twice"},
+        BadObject{"NameEmpty", "mesh = \"cube\"\nname = \"\"", "3:8: name is empty"},
+        BadObject{"MeshIsANumber", "mesh = 5", "2:8: mesh is an integer; a string is needed"},
+        BadObject{"UnknownMesh", "mesh = \"sphree\"",
+                  "2:8: mesh \"sphree\" is neither a built-in solid nor a .gltf, .glb or .obj file; did you mean "
+                  "\"sphere\"?"},
+        BadObject{"LaterShading", "mesh = \"cube\"\nshading = \"hidden_line\"",
+                  "3:11: shading \"hidden_line\": not drawn by this version: flat, smooth, unlit and wireframe are"},
+        BadObject{"UnknownShading", "mesh = \"cube\"\nshading = \"flatt\"",
+                  "3:11: unknown shading \"flatt\"; did you mean \"flat\"?"},
+        BadObject{"ColorOfTwo", "mesh = \"cube\"\ncolor = [1, 1]",
+                  "3:9: color must be three or four numbers: [red, green, blue] or [red, green, blue, alpha]"},
+        BadObject{"ColorNegative", "mesh = \"cube\"\ncolor = [0, -1, 0]", "3:13: color holds -1; 0 or more is needed"},
+        BadObject{"AlphaAboveOne", "mesh = \"cube\"\ncolor = [0, 0, 0, 2]", "3:19: color holds 2; 0 to 1 is needed"},
+        BadObject{"DoubleSidedText", "mesh = \"cube\"\ndouble_sided = \"yes\"",
+                  "3:16: double_sided is a string; true or false is needed"},
+        BadObject{"SegmentsOfASolidWithoutThem", "mesh = \"cube\"\nsegments = [3, 3]",
+                  "3:12: the solid \"cube\" takes no segments"},
+        BadObject{"SegmentsTooFew", "mesh = \"sphere\"\nsegments = [2, 2]",
+                  "3:12: segments [2, 2] are too few; \"sphere\" needs at least [3, 2]"},
+        BadObject{"SegmentsTooMany", "mesh = \"sphere\"\nsegments = [100000, 100000]",
+                  "3:12: segments [100000, 100000] make more than the 134217728 vertices that are allowed"},
+        BadObject{"SegmentsHuge", "mesh = \"sphere\"\nsegments = [9000000000000000000, 3]",
+                  "3:13: segments holds 9000000000000000000; 1 or more is needed"},
+        BadObject{"SegmentsOfOne", "mesh = \"sphere\"\nsegments = 5", "3:12: segments must be two integers: [u, v]"}),
+    bad_object_name);
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongObject,
-                         ::testing::Values(Wrong{"Missing", "mesh = \"none.obj\"",
-                                                 "2:8: there is no file \"none.obj\""},
-                                           Wrong{"SegmentsOfAFile", "mesh = \"a.obj\"\nsegments = [3, 3]",
-                                                 "3:12: segments belong to a built-in solid, not to a file"},
-                                           Wrong{"TargetsOfASolid", "mesh = \"cube\"\ntargets = [\"a.obj\"]",
-                                                 "3:11: targets belong to an .obj file, not to a built-in solid"},
-                                           Wrong{"TargetMissing", "mesh = \"a.obj\"\ntargets = [\"none.obj\"]",
-                                                 "3:12: there is no file \"none.obj\""},
-                                           Wrong{"TargetNotObj", "mesh = \"a.obj\"\ntargets = [\"b.gltf\"]",
-                                                 "3:12: target \"b.gltf\" is not an .obj file"}),
-                         name_of);
+                         ::testing::Values(BadObject{"Missing", "mesh = \"none.obj\"",
+                                                     "2:8: there is no file \"none.obj\""},
+                                           BadObject{"SegmentsOfAFile", "mesh = \"a.obj\"\nsegments = [3, 3]",
+                                                     "3:12: segments belong to a built-in solid, not to a file"},
+                                           BadObject{"TargetsOfASolid", "mesh = \"cube\"\ntargets = [\"a.obj\"]",
+                                                     "3:11: targets belong to an .obj file, not to a built-in solid"},
+                                           BadObject{"TargetMissing", "mesh = \"a.obj\"\ntargets = [\"none.obj\"]",
+                                                     "3:12: there is no file \"none.obj\""},
+                                           BadObject{"TargetNotObj", "mesh = \"a.obj\"\ntargets = [\"b.gltf\"]",
+                                                     "3:12: target \"b.gltf\" is not an .obj file"}),
+                         bad_object_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Transform, WrongObject,
     ::testing::Values(
-        Wrong{"NoKey", "mesh = \"cube\"\n[[object.transform]]",
-              "3:1: a transform step has exactly one key; this one has 0"},
-        Wrong{"TwoKeys", "mesh = \"cube\"\n[[object.transform]]\nscale = [1, 1, 1]\ntranslate = [1, 1, 1]",
-              "3:1: a transform step has exactly one key; this one has 2"},
-        Wrong{"UnknownStep", "mesh = \"cube\"\n[[object.transform]]\nrotate_x = 5",
-              "4:1: unknown key \"rotate_x\" in transform; known: translate, scale, scale_about, rotate_x_degrees, "
-              "rotate_y_degrees, rotate_z_degrees, rotate_about_axis, rotate_in_seven_steps, shear, matrix"},
-        Wrong{
+        BadObject{"NoKey", "mesh = \"cube\"\n[[object.transform]]",
+                  "3:1: a transform step has exactly one key; this one has 0"},
+        BadObject{"TwoKeys", "mesh = \"cube\"\n[[object.transform]]\nscale = [1, 1, 1]\ntranslate = [1, 1, 1]",
+                  "3:1: a transform step has exactly one key; this one has 2"},
+        BadObject{"UnknownStep", "mesh = \"cube\"\n[[object.transform]]\nrotate_x = 5",
+                  "4:1: unknown key \"rotate_x\" in transform; known: translate, scale, scale_about, rotate_x_degrees, "
+                  "rotate_y_degrees, rotate_z_degrees, rotate_about_axis, rotate_in_seven_steps, shear, matrix"},
+        BadObject{
             "SevenStepsAlongX",
             "mesh = \"cube\"\n[[object.transform]]\n"
             "rotate_in_seven_steps = { from = [0, 0, 0], to = [1, 0, 0], degrees = 5 }",
             "4:25: rotation in seven steps: the axis from (0, 0, 0) to (1, 0, 0) is parallel to x, and step 2 divides "
             "by 0; rotate_about_axis has no such gap"},
-        Wrong{"EightOfSevenSteps",
-              "mesh = \"cube\"\n[[object.transform]]\n"
-              "rotate_in_seven_steps = { from = [0, 0, 0], to = [1, 1, 0], degrees = 5, steps = 8 }",
-              "4:82: steps is 8; 0 to 7 are possible"},
-        Wrong{"TranslateNumber", "mesh = \"cube\"\n[[object.transform]]\ntranslate = 5",
-              "4:13: translate must be three numbers: [x, y, z]"},
-        Wrong{"ScaleAboutWithoutPoint", "mesh = \"cube\"\n[[object.transform]]\nscale_about = { factor = [1, 1, 1] }",
-              "4:15: scale_about needs the key \"point\""},
-        Wrong{"MatrixOfDiagonalVectors",
-              "mesh = \"cube\"\n[[object.transform]]\nmatrix = { vectors = \"rows\", rows = [] }",
-              "4:22: unknown vectors \"rows\"; did you mean \"row\"?"},
-        Wrong{"MatrixOfThreeRows", "mesh = \"cube\"\n[[object.transform]]\nmatrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
-              "4:10: matrix must be four rows of four numbers; the last is [0, 0, 0, 1]"}),
-    name_of);
+        BadObject{"EightOfSevenSteps",
+                  "mesh = \"cube\"\n[[object.transform]]\n"
+                  "rotate_in_seven_steps = { from = [0, 0, 0], to = [1, 1, 0], degrees = 5, steps = 8 }",
+                  "4:82: steps is 8; 0 to 7 are possible"},
+        BadObject{"TranslateNumber", "mesh = \"cube\"\n[[object.transform]]\ntranslate = 5",
+                  "4:13: translate must be three numbers: [x, y, z]"},
+        BadObject{"ScaleAboutWithoutPoint",
+                  "mesh = \"cube\"\n[[object.transform]]\nscale_about = { factor = [1, 1, 1] }",
+                  "4:15: scale_about needs the key \"point\""},
+        BadObject{"MatrixOfDiagonalVectors",
+                  "mesh = \"cube\"\n[[object.transform]]\nmatrix = { vectors = \"rows\", rows = [] }",
+                  "4:22: unknown vectors \"rows\"; did you mean \"row\"?"},
+        BadObject{"MatrixOfThreeRows",
+                  "mesh = \"cube\"\n[[object.transform]]\nmatrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
+                  "4:10: matrix must be four rows of four numbers; the last is [0, 0, 0, 1]"}),
+    bad_object_name);
 
 #define TRACK "mesh = \"pyramid_to_cube\"\n[[object.track]]\n"
 #define SPRING "target = \"morph.cube\"\ninterpolation = \"spring\"\n"
 INSTANTIATE_TEST_SUITE_P(
     Track, WrongObject,
     ::testing::Values(
-        Wrong{"NoTarget", TRACK "keys = [[0, 1]]", "3:1: track needs the key \"target\""},
-        Wrong{"UnknownTarget", TRACK "target = \"rotatoin\"\nkeys = [[0, 1]]",
-              "4:10: an object has no value \"rotatoin\" to move; did you mean \"rotation\"?"},
-        Wrong{"UnknownMorph", TRACK "target = \"morph.cuhe\"\nkeys = [[0, 1]]",
-              "4:10: the mesh has no morph target \"cuhe\"; did you mean \"cube\"?"},
-        Wrong{"MorphOfAMeshWithout", "mesh = \"cube\"\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
-              "4:10: morph.cube: the mesh has no morph targets"},
-        Wrong{"Twice",
-              TRACK "target = \"scale\"\nkeys = [[0, [1, 1, 1]]]\n[[object.track]]\ntarget = \"scale\"\nkeys = []",
-              "7:10: scale is driven twice"},
-        Wrong{"MorphTwice",
-              TRACK
-              "target = \"morph.cube\"\nkeys = [[0, 1]]\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
-              "7:10: morph.cube is driven twice"},
-        Wrong{"SpringWithoutFrequency", TRACK "target = \"morph.cube\"\ninterpolation = \"spring\"\nkeys = [[0, 1]]",
-              "3:1: track needs the key \"frequency\""},
-        Wrong{"SpringOfNoFrequency", TRACK SPRING "frequency = 0\nkeys = [[0, 1]]",
-              "6:13: frequency is 0; 1e-06 to 10000000 Hz is possible"},
-        Wrong{"SpringOfText", TRACK SPRING "frequency = \"2 Hz\"\nkeys = [[0, 1]]",
-              "6:13: frequency is a string; a number is needed"},
-        Wrong{"SpringOfNegativeDamping", TRACK SPRING "frequency = 2\ndamping_ratio = -0.5\nkeys = [[0, 1]]",
-              "7:17: damping_ratio is -0.5; 0 to 1000000 is possible"},
-        Wrong{"SpringFollowsASpring", TRACK SPRING "frequency = 2\nfollows = \"spring\"\nkeys = [[0, 1]]",
-              "7:11: unknown follows \"spring\"; known: step, linear, cubic"},
-        Wrong{"SpringFollowsOneCubicKey", TRACK SPRING "frequency = 2\nfollows = \"cubic\"\nkeys = [[0, 1]]",
-              "8:8: a cubic track needs at least two keys"},
-        Wrong{"FrequencyWithoutASpring", TRACK "target = \"morph.cube\"\nfrequency = 2\nkeys = [[0, 1]]",
-              "5:13: only a spring has a frequency"},
-        Wrong{"VisibleOnASpring",
-              TRACK "target = \"visible\"\ninterpolation = \"spring\"\nfrequency = 2\nkeys = [[0, true]]",
-              "5:17: true and false have nothing between them; use \"step\""},
-        Wrong{"UnknownInterpolation", TRACK "target = \"morph.cube\"\ninterpolation = \"linaer\"\nkeys = [[0, 1]]",
-              "5:17: unknown interpolation \"linaer\"; did you mean \"linear\"?"},
-        Wrong{"NoKeys", TRACK "target = \"morph.cube\"\nkeys = []",
-              "5:8: keys is empty; a track needs at least one key"},
-        Wrong{"KeyIsANumber", TRACK "target = \"morph.cube\"\nkeys = [0, 1]", "5:9: a key is [frame, value]"},
-        Wrong{"KeysNotInOrder", TRACK "target = \"morph.cube\"\nkeys = [[0, 0], [5, 1], [3, 0]]",
-              "5:25: frame 3 does not come after frame 5; keys must be in order, one a frame"},
-        Wrong{"KeysAtTheSameFrame", TRACK "target = \"morph.cube\"\nkeys = [[5, 0], [5.0, 1]]",
-              "5:17: frame 5 does not come after frame 5; keys must be in order, one a frame"},
-        Wrong{"FrameTooLate", TRACK "target = \"morph.cube\"\nkeys = [[1e9, 0]]",
-              "5:10: frame 1000000000; frames reach from -1000000 to 1000000"},
-        Wrong{"FrameNan", TRACK "target = \"morph.cube\"\nkeys = [[nan, 0]]", "5:10: keys is nan; a number is needed"},
-        Wrong{"ValueInfinite", TRACK "target = \"morph.cube\"\nkeys = [[0, inf]]",
-              "5:13: keys is inf; a finite number is needed"},
-        Wrong{"TangentsOfALinearKey", TRACK "target = \"morph.cube\"\nkeys = [[0, 1, 0, 0]]",
-              "5:9: a key is [frame, value]"},
-        Wrong{"CubicOfOneKey", TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1]]",
-              "6:8: a cubic track needs at least two keys"},
-        Wrong{"CubicWithThree",
-              TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0], [1, 1, 0]]",
-              "6:9: a cubic key is [frame, value] or [frame, value, in_tangent, out_tangent]"},
-        Wrong{"TangentsOfSomeKeys",
-              TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0, 0], [1, 1]]",
-              "6:23: either all keys of a track have tangents or none has"},
-        Wrong{"RotationOfThree", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 1]]]",
-              "5:13: a rotation is a quaternion [x, y, z, w] or { axis = [x, y, z], degrees = d }"},
-        Wrong{"RotationZero", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 0, 0]]]",
-              "5:13: the quaternion is [0, 0, 0, 0]; no rotation is written [0, 0, 0, 1]"},
-        Wrong{"RotationWithoutAxis", TRACK "target = \"rotation\"\nkeys = [[0, { axis = [0, 0, 0], degrees = 1 }]]",
-              "5:22: the axis is [0, 0, 0]; it must have a direction"},
-        Wrong{"RotationOfTooManyTurns",
-              TRACK "target = \"rotation\"\nkeys = [[0, {axis=[1,0,0],degrees=0}],[1,{axis=[1,0,0],degrees=1e9}]]",
-              "5:39: too many turns since the key before"},
-        Wrong{
+        BadObject{"NoTarget", TRACK "keys = [[0, 1]]", "3:1: track needs the key \"target\""},
+        BadObject{"UnknownTarget", TRACK "target = \"rotatoin\"\nkeys = [[0, 1]]",
+                  "4:10: an object has no value \"rotatoin\" to move; did you mean \"rotation\"?"},
+        BadObject{"UnknownMorph", TRACK "target = \"morph.cuhe\"\nkeys = [[0, 1]]",
+                  "4:10: the mesh has no morph target \"cuhe\"; did you mean \"cube\"?"},
+        BadObject{"MorphOfAMeshWithout", "mesh = \"cube\"\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
+                  "4:10: morph.cube: the mesh has no morph targets"},
+        BadObject{"Twice",
+                  TRACK "target = \"scale\"\nkeys = [[0, [1, 1, 1]]]\n[[object.track]]\ntarget = \"scale\"\nkeys = []",
+                  "7:10: scale is driven twice"},
+        BadObject{
+            "MorphTwice",
+            TRACK
+            "target = \"morph.cube\"\nkeys = [[0, 1]]\n[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 1]]",
+            "7:10: morph.cube is driven twice"},
+        BadObject{"SpringWithoutFrequency",
+                  TRACK "target = \"morph.cube\"\ninterpolation = \"spring\"\nkeys = [[0, 1]]",
+                  "3:1: track needs the key \"frequency\""},
+        BadObject{"SpringOfNoFrequency", TRACK SPRING "frequency = 0\nkeys = [[0, 1]]",
+                  "6:13: frequency is 0; 1e-06 to 10000000 Hz is possible"},
+        BadObject{"SpringOfText", TRACK SPRING "frequency = \"2 Hz\"\nkeys = [[0, 1]]",
+                  "6:13: frequency is a string; a number is needed"},
+        BadObject{"SpringOfNegativeDamping", TRACK SPRING "frequency = 2\ndamping_ratio = -0.5\nkeys = [[0, 1]]",
+                  "7:17: damping_ratio is -0.5; 0 to 1000000 is possible"},
+        BadObject{"SpringFollowsASpring", TRACK SPRING "frequency = 2\nfollows = \"spring\"\nkeys = [[0, 1]]",
+                  "7:11: unknown follows \"spring\"; known: step, linear, cubic"},
+        BadObject{"SpringFollowsOneCubicKey", TRACK SPRING "frequency = 2\nfollows = \"cubic\"\nkeys = [[0, 1]]",
+                  "8:8: a cubic track needs at least two keys"},
+        BadObject{"FrequencyWithoutASpring", TRACK "target = \"morph.cube\"\nfrequency = 2\nkeys = [[0, 1]]",
+                  "5:13: only a spring has a frequency"},
+        BadObject{"VisibleOnASpring",
+                  TRACK "target = \"visible\"\ninterpolation = \"spring\"\nfrequency = 2\nkeys = [[0, true]]",
+                  "5:17: true and false have nothing between them; use \"step\""},
+        BadObject{"UnknownInterpolation", TRACK "target = \"morph.cube\"\ninterpolation = \"linaer\"\nkeys = [[0, 1]]",
+                  "5:17: unknown interpolation \"linaer\"; did you mean \"linear\"?"},
+        BadObject{"NoKeys", TRACK "target = \"morph.cube\"\nkeys = []",
+                  "5:8: keys is empty; a track needs at least one key"},
+        BadObject{"KeyIsANumber", TRACK "target = \"morph.cube\"\nkeys = [0, 1]", "5:9: a key is [frame, value]"},
+        BadObject{"KeysNotInOrder", TRACK "target = \"morph.cube\"\nkeys = [[0, 0], [5, 1], [3, 0]]",
+                  "5:25: frame 3 does not come after frame 5; keys must be in order, one a frame"},
+        BadObject{"KeysAtTheSameFrame", TRACK "target = \"morph.cube\"\nkeys = [[5, 0], [5.0, 1]]",
+                  "5:17: frame 5 does not come after frame 5; keys must be in order, one a frame"},
+        BadObject{"FrameTooLate", TRACK "target = \"morph.cube\"\nkeys = [[1e9, 0]]",
+                  "5:10: frame 1000000000; frames reach from -1000000 to 1000000"},
+        BadObject{"FrameNan", TRACK "target = \"morph.cube\"\nkeys = [[nan, 0]]",
+                  "5:10: keys is nan; a number is needed"},
+        BadObject{"ValueInfinite", TRACK "target = \"morph.cube\"\nkeys = [[0, inf]]",
+                  "5:13: keys is inf; a finite number is needed"},
+        BadObject{"TangentsOfALinearKey", TRACK "target = \"morph.cube\"\nkeys = [[0, 1, 0, 0]]",
+                  "5:9: a key is [frame, value]"},
+        BadObject{"CubicOfOneKey", TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1]]",
+                  "6:8: a cubic track needs at least two keys"},
+        BadObject{"CubicWithThree",
+                  TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0], [1, 1, 0]]",
+                  "6:9: a cubic key is [frame, value] or [frame, value, in_tangent, out_tangent]"},
+        BadObject{"TangentsOfSomeKeys",
+                  TRACK "target = \"morph.cube\"\ninterpolation = \"cubic\"\nkeys = [[0, 1, 0, 0], [1, 1]]",
+                  "6:23: either all keys of a track have tangents or none has"},
+        BadObject{"RotationOfThree", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 1]]]",
+                  "5:13: a rotation is a quaternion [x, y, z, w] or { axis = [x, y, z], degrees = d }"},
+        BadObject{"RotationZero", TRACK "target = \"rotation\"\nkeys = [[0, [0, 0, 0, 0]]]",
+                  "5:13: the quaternion is [0, 0, 0, 0]; no rotation is written [0, 0, 0, 1]"},
+        BadObject{"RotationWithoutAxis", TRACK "target = \"rotation\"\nkeys = [[0, { axis = [0, 0, 0], degrees = 1 }]]",
+                  "5:22: the axis is [0, 0, 0]; it must have a direction"},
+        BadObject{"RotationOfTooManyTurns",
+                  TRACK "target = \"rotation\"\nkeys = [[0, {axis=[1,0,0],degrees=0}],[1,{axis=[1,0,0],degrees=1e9}]]",
+                  "5:39: too many turns since the key before"},
+        BadObject{
             "CubicRotationBeyondHalfATurn",
             TRACK "target = \"rotation\"\ninterpolation = \"cubic\"\n"
                   "keys = [[0, {axis=[1,0,0],degrees=0}],[1,{axis=[1,0,0],degrees=181}]]",
             "6:39: cubic rotation keys about one axis lie at most 180 degrees apart; add keys between, or use linear"},
-        Wrong{"VisibleLinear", TRACK "target = \"visible\"\ninterpolation = \"linear\"\nkeys = [[0, true]]",
-              "5:17: true and false have nothing between them; use \"step\""}),
-    name_of);
+        BadObject{"VisibleLinear", TRACK "target = \"visible\"\ninterpolation = \"linear\"\nkeys = [[0, true]]",
+                  "5:17: true and false have nothing between them; use \"step\""}),
+    bad_object_name);
 #undef TRACK
 
 TEST(WrongShotFile, MissingIsAnInputThatCannotBeRead) {

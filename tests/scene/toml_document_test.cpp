@@ -12,7 +12,7 @@
 namespace morphcl {
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string toml_refusal(const std::string& text) {
   try {
     parse_toml(text, "file");
   } catch (const Error& error) {
@@ -45,40 +45,41 @@ TEST(TomlDocument, KnowsThePlaceOfEveryValue) {
 }
 
 TEST(TomlDocument, RefusesDeepNesting) {
-  EXPECT_NE(refusal(std::string("a = ") + repeated("[", 100) + repeated("]", 100)).find("nested deeper than 64"),
+  EXPECT_NE(toml_refusal(std::string("a = ") + repeated("[", 100) + repeated("]", 100)).find("nested deeper than 64"),
             std::string::npos);
-  EXPECT_NE(refusal(std::string("a = ") + repeated("[", 1'000'000)), "accepted");
-  EXPECT_NE(refusal(std::string("a = ") + repeated("{ a = ", 1'000'000)), "accepted");
-  EXPECT_NE(refusal(std::string("a = ") + repeated("{ a.b.c.d.e.f.g.h = ", 250) + "1" + repeated("}", 250)),
+  EXPECT_NE(toml_refusal(std::string("a = ") + repeated("[", 1'000'000)), "accepted");
+  EXPECT_NE(toml_refusal(std::string("a = ") + repeated("{ a = ", 1'000'000)), "accepted");
+  EXPECT_NE(toml_refusal(std::string("a = ") + repeated("{ a.b.c.d.e.f.g.h = ", 250) + "1" + repeated("}", 250)),
             "accepted");
 }
 
 TEST(TomlDocument, RefusesLongDottedKeys) {
-  EXPECT_EQ(refusal(std::string("[") + repeated("a.", 1'000'000) + "a]"), "file:1:17: a key of more than 8 parts");
-  EXPECT_EQ(refusal(std::string("x = 1\n") + repeated("\"a\" . ", 1'000'000) + "a = 1"),
+  EXPECT_EQ(toml_refusal(std::string("[") + repeated("a.", 1'000'000) + "a]"), "file:1:17: a key of more than 8 parts");
+  EXPECT_EQ(toml_refusal(std::string("x = 1\n") + repeated("\"a\" . ", 1'000'000) + "a = 1"),
             "file:2:47: a key of more than 8 parts");
-  EXPECT_EQ(refusal(std::string("x = { ") + repeated("'a'.", 9) + "a = 1 }"), "file:1:38: a key of more than 8 parts");
+  EXPECT_EQ(toml_refusal(std::string("x = { ") + repeated("'a'.", 9) + "a = 1 }"),
+            "file:1:38: a key of more than 8 parts");
 }
 
 TEST(TomlDocument, CountsNoDotsInStringsCommentsAndNumbers) {
   const std::string dots = "1.2.3.4.5.6.7.8.9.10.11";
-  EXPECT_EQ(refusal("a = \"" + dots + "\" # " + dots + "\nb = '" + dots + "'\nc = \"\"\"\\\"\"\" " + dots + "\n" +
-                    dots + "\"\"\"\nd = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5]\ne = \"\\\\\"\nf = 1.5\n"),
+  EXPECT_EQ(toml_refusal("a = \"" + dots + "\" # " + dots + "\nb = '" + dots + "'\nc = \"\"\"\\\"\"\" " + dots + "\n" +
+                         dots + "\"\"\"\nd = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5]\ne = \"\\\\\"\nf = 1.5\n"),
             "accepted");
 }
 
 TEST(TomlDocument, RefusesWhatIsTooLarge) {
   const std::string huge(max_toml_bytes + 1, '#');
-  EXPECT_EQ(refusal(huge), "file: 8388609 bytes of TOML; at most 8388608 are read");
+  EXPECT_EQ(toml_refusal(huge), "file: 8388609 bytes of TOML; at most 8388608 are read");
 }
 
 TEST(TomlDocument, RefusesBytesThatAreNoText) {
-  EXPECT_NE(refusal("a = \"\xff\xfe\""), "accepted");
-  EXPECT_NE(refusal(std::string("a = 1\0b = 2", 11)), "accepted");
-  EXPECT_NE(refusal("a = \"one\x1b[31m\""), "accepted");
-  EXPECT_NE(refusal("a = 'open\n"), "accepted");
-  EXPECT_NE(refusal("a = '''open\n"), "accepted");
-  EXPECT_NE(refusal("a = \"open\\"), "accepted");
+  EXPECT_NE(toml_refusal("a = \"\xff\xfe\""), "accepted");
+  EXPECT_NE(toml_refusal(std::string("a = 1\0b = 2", 11)), "accepted");
+  EXPECT_NE(toml_refusal("a = \"one\x1b[31m\""), "accepted");
+  EXPECT_NE(toml_refusal("a = 'open\n"), "accepted");
+  EXPECT_NE(toml_refusal("a = '''open\n"), "accepted");
+  EXPECT_NE(toml_refusal("a = \"open\\"), "accepted");
 }
 
 constexpr std::string_view shot = R"([image]

@@ -21,7 +21,7 @@ TwoFloat morphed(const Draw& draw, std::size_t vertex, int component) {
   return value;
 }
 
-float row_times_point(const Row& row, const Row& rest, const TwoFloat position[3]) {
+float two_float_row_times_point(const Row& row, const Row& rest, const TwoFloat position[3]) {
   TwoFloat sum{row[3], rest[3]};
   for (int c = 2; c >= 0; --c) sum = sum + TwoFloat{row[c], rest[c]} * position[c];
   return sum.high;
@@ -52,8 +52,9 @@ void set_two_float_clip_point(const Draw& draw, std::size_t index, Vertex& verte
     vertex.position[c] = position[c].high;
   }
   const std::array<Row, 4>&rows = draw.object_to_clip, &rest = draw.accuracy->clip_rest;
-  vertex.clip = {row_times_point(rows[0], rest[0], position), row_times_point(rows[1], rest[1], position),
-                 row_times_point(rows[2], rest[2], position), row_times_point(rows[3], rest[3], position)};
+  vertex.clip = {
+      two_float_row_times_point(rows[0], rest[0], position), two_float_row_times_point(rows[1], rest[1], position),
+      two_float_row_times_point(rows[2], rest[2], position), two_float_row_times_point(rows[3], rest[3], position)};
 }
 
 }  // namespace morphcl::reference

@@ -13,7 +13,7 @@ namespace morphcl {
 namespace {
 
 constexpr std::size_t header_size = 12, chunk_header_size = 8;
-constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+constexpr std::uint32_t json_chunk_type = 0x4E4F534A, binary_chunk_type = 0x004E4942;
 
 std::uint32_t little_endian_32(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -85,9 +85,9 @@ GltfContainer split_gltf(std::string_view bytes, const std::string& file) {
                        bytes.size() - at));
     const std::string_view content = bytes.substr(at, length);
     at += length;
-    if ((chunk == 0) != (type == json_chunk)) fail("the first chunk, and no other, must be the JSON chunk");
+    if ((chunk == 0) != (type == json_chunk_type)) fail("the first chunk, and no other, must be the JSON chunk");
     if (chunk == 0) parts.json = content;
-    if (type == binary_chunk) {
+    if (type == binary_chunk_type) {
       if (chunk != 1) fail("the binary chunk must be the second one");
       parts.binary = content;
     }

@@ -9,7 +9,7 @@ namespace morphcl::accuracy {
 
 namespace {
 
-constexpr float near = 0.125f;
+constexpr float near_w = 0.125f;
 
 using Cut = std::array<float, 3>;       // x, y, w where the edge meets w = near
 using BothCuts = std::array<float, 6>;  // going from a to b, then from b to a
@@ -28,28 +28,28 @@ Variant<float> cutting(const char* name, const CutEdge& cut) {
 }
 
 Cut as_given(const End& a, const End& b) {
-  const float t = (a.w - near) / (a.w - b.w);
+  const float t = (a.w - near_w) / (a.w - b.w);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
 Cut inside_to_outside(const End& first, const End& second) {
   const bool turn = first.w < second.w;
   const End a = turn ? second : first, b = turn ? first : second;
-  const float t = (a.w - near) / (a.w - b.w);
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), near};
+  const float t = (a.w - near_w) / (a.w - b.w);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), near_w};
 }
 
 Cut inside_to_outside_in_fp64(const End& first, const End& second) {
   const bool turn = first.w < second.w;
   const End a = turn ? second : first, b = turn ? first : second;
-  const double t = (static_cast<double>(a.w) - near) / (static_cast<double>(a.w) - b.w);
+  const double t = (static_cast<double>(a.w) - near_w) / (static_cast<double>(a.w) - b.w);
   return {static_cast<float>(a.x + t * (static_cast<double>(b.x) - a.x)),
-          static_cast<float>(a.y + t * (static_cast<double>(b.y) - a.y)), near};
+          static_cast<float>(a.y + t * (static_cast<double>(b.y) - a.y)), near_w};
 }
 
 // The product's clipper, on the segment; the guard band is too wide to matter.
 Cut shipped_cut(const End& a, const End& b, const FramePlan& plan, const RasterGrid& grid) {
-  const auto corner = [](const End& end) { return reference::Corner{{end.x, end.y, near, end.w}, {0, 0, 0}}; };
+  const auto corner = [](const End& end) { return reference::Corner{{end.x, end.y, near_w, end.w}, {0, 0, 0}}; };
   const auto left = reference::clip_polygon({corner(a), corner(b)}, plan, grid);
   const reference::ClipPoint& p = left[a.w < b.w ? 0 : 1].clip;
   return {p.x, p.y, p.w};
@@ -57,22 +57,22 @@ Cut shipped_cut(const End& a, const End& b, const FramePlan& plan, const RasterG
 
 Variant<float> shipped_clip() {
   FramePlan plan;
-  plan.near_plane = {0, 1, -near};
-  plan.near_w = near;
+  plan.near_plane = {0, 1, -near_w};
+  plan.near_w = near_w;
   plan.near_depth = 1;
   return shipped(cutting("inside to outside, fma", [plan, grid = RasterGrid(2, 2)](const End& a, const End& b) {
     return shipped_cut(a, b, plan, grid);
   }));
 }
 
-InputFamily family(const char* name, const char* text, int in_front, int behind, bool grazing, double pixels) {
+InputFamily clip_family(const char* name, const char* text, int in_front, int behind, bool grazing, double pixels) {
   return {name, text,
           [=](Random& random, std::size_t count) {
             return drawn(random, 6, count, {}, [=](Random& r, double* in) {
               for (const int coordinate : {0, 1, 3, 4}) in[coordinate] = r.uniform(-1, 1);
-              in[2] = near + r.binades(-6, in_front);
-              in[5] = near - r.binades(-6, behind);
-              if (grazing) in[5] = near - r.binades(-24, -20);
+              in[2] = near_w + r.binades(-6, in_front);
+              in[5] = near_w - r.binades(-6, behind);
+              if (grazing) in[5] = near_w - r.binades(-24, -20);
             });
           },
           pixels};
@@ -91,25 +91,25 @@ Operation clip() {
               .reason = "the same bits from both ends, on the plane itself: no crack between triangles"};
   op.results = 6;
   op.families = {
-      family("benign", "ends within 2 of the plane", 0, 0, false, 0),
-      family("wide", "ends up to 2^17 in front of the plane and behind it", 16, 16, false, 0),
-      family("adversarial", "one end 2^-24 to 2^-19 behind the plane", 0, 0, true, 0),
+      clip_family("benign", "ends within 2 of the plane", 0, 0, false, 0),
+      clip_family("wide", "ends up to 2^17 in front of the plane and behind it", 16, 16, false, 0),
+      clip_family("adversarial", "one end 2^-24 to 2^-19 behind the plane", 0, 0, true, 0),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
-    const Number t = (Number(in(2, i)) - near) / (Number(in(2, i)) - in(5, i));
+    const Number t = (Number(in(2, i)) - near_w) / (Number(in(2, i)) - in(5, i));
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const Number a = in(axis, i), b = in(axis + 3, i);
       results[axis].value = a + t * (b - a);
       results[axis].magnitude = abs(a) + abs(b);
     }
-    results[2].value = results[2].magnitude = near;
+    results[2].value = results[2].magnitude = near_w;
     for (std::size_t r = 0; r < 3; ++r) results[r + 3] = results[r];
   });
   op.events = {Measure::wrong};
   op.judge = [](const double* computed, const double*, EventCounts& events) {
     const bool same = computed[0] == computed[3] && computed[1] == computed[4] && computed[2] == computed[5];
-    if (!same || computed[2] != near) events.count(Measure::wrong);
+    if (!same || computed[2] != near_w) events.count(Measure::wrong);
   };
   op.variants = {
       cutting("in the order given", as_given),

@@ -11,8 +11,6 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Run = Variant<double>::Run;
-
 // Constants of a batch: how many factors a product has, and how far away the lines are. The factors of element i follow
 // from its seed, plane 0: the same for all variants and the reference, which take the product's fp64 matrices as exact.
 using Factors = std::vector<glm::dmat4>;
@@ -46,7 +44,7 @@ void store(const glm::dmat4& m, std::size_t i, Planes<double>& results) {
 // The product of factors that were converted to Matrix, computed in Product.
 template <class Matrix, class Product>
 Variant<double> multiplied(const char* name) {
-  return {.name = name, .prepare = [](const Batch& batch) -> Run {
+  return {.name = name, .prepare = [](const Batch& batch) -> Variant<double>::Run {
             auto all = std::make_shared<std::vector<std::vector<Product>>>();
             for (const Factors& factors : all_factors(batch)) {
               all->emplace_back();
@@ -64,7 +62,7 @@ Variant<double> multiplied(const char* name) {
 
 Variant<double> composite() {
   return {.name = "CompositeTransform",
-          .prepare = [](const Batch& batch) -> Run {
+          .prepare = [](const Batch& batch) -> Variant<double>::Run {
             auto all = std::make_shared<std::vector<CompositeTransform>>();
             for (const Factors& factors : all_factors(batch)) {
               all->emplace_back();
@@ -77,7 +75,7 @@ Variant<double> composite() {
           .ships = true};
 }
 
-InputFamily family(const char* name, const char* text, double factors, double distance) {
+InputFamily compose_family(const char* name, const char* text, double factors, double distance) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 1, count, {factors, distance},
                          [](Random& r, double* in) { in[0] = static_cast<double>(r.bits() >> 12); });
@@ -97,9 +95,9 @@ Operation compose() {
               .reason = "below the one rounding to binary32 that follows"};
   op.results = 12;
   op.families = {
-      family("benign", "lines within 1 of the origin", 64, 1),
-      family("wide", "lines within 1000 of the origin", 64, 1000),
-      family("adversarial", "lines within 10^8 of the origin", 64, 1e8),
+      compose_family("benign", "lines within 1 of the origin", 64, 1),
+      compose_family("wide", "lines within 1000 of the origin", 64, 1000),
+      compose_family("adversarial", "lines within 10^8 of the origin", 64, 1e8),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

@@ -82,7 +82,7 @@ void draw_quad(Random& r, const Shape& s, double* in) {
   in[9] = std::nearbyint(in[1] + t * (in[5] - in[1])) + r.integer(-s.from_edge, s.from_edge);
 }
 
-InputFamily family(const char* name, const char* text, Shape shape) {
+InputFamily coverage_family(const char* name, const char* text, Shape shape) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 10, count, {}, [=](Random& r, double* in) { draw_quad(r, shape, in); });
           }};
@@ -121,11 +121,11 @@ Operation coverage() {
   op.results = 2;
   op.measured = 0;
   op.families = {
-      family("benign", "quads of up to 1920 x 1080 pixels, points anywhere", {960 * 256, 540 * 256, 0}),
-      family("wide", "quads over the whole guard band, points within 64 sub-pixels of the shared edge",
-             {1 << 22, 1 << 22, 64}),
-      family("adversarial", "quads over the whole guard band, points within 1 sub-pixel of the shared edge",
-             {1 << 22, 1 << 22, 1}),
+      coverage_family("benign", "quads of up to 1920 x 1080 pixels, points anywhere", {960 * 256, 540 * 256, 0}),
+      coverage_family("wide", "quads over the whole guard band, points within 64 sub-pixels of the shared edge",
+                      {1 << 22, 1 << 22, 64}),
+      coverage_family("adversarial", "quads over the whole guard band, points within 1 sub-pixel of the shared edge",
+                      {1 << 22, 1 << 22, 1}),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;

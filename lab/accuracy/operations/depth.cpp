@@ -9,12 +9,12 @@ namespace morphcl::accuracy {
 
 namespace {
 
-constexpr double near = 0.1, far = 1e5;  // metres, say
+constexpr double near_plane = 0.1, far_plane = 1e5;  // metres, say
 
 // Results: what is stored of the nearer and of the farther distance, and the distance that the first one stands for.
 // Constants of a batch: nothing; its planes: the two distances.
 Variant<double> stored(const std::string& name, DepthFormat format) {
-  return elementwise64<2>(name, [format, range = DepthRange{near, far}](double nearer, double farther) {
+  return elementwise64<2>(name, [format, range = DepthRange{near_plane, far_plane}](double nearer, double farther) {
     const double a = stored_depth(format, range, nearer), b = stored_depth(format, range, farther);
     // By distances, so that one order fits all formats; a tie stays a tie.
     const double order = is_nearer(format, a, b) ? 1 : is_nearer(format, b, a) ? -1 : 0;
@@ -24,7 +24,8 @@ Variant<double> stored(const std::string& name, DepthFormat format) {
 
 // What a vertex stage in binary32 gives the buffer: depth = A + B / distance, then rounded to the format.
 float forward_fp32(float distance) {
-  constexpr float a = static_cast<float>(far / (far - near)), b = static_cast<float>(-far * near / (far - near));
+  constexpr float a = static_cast<float>(far_plane / (far_plane - near_plane)),
+                  b = static_cast<float>(-far_plane * near_plane / (far_plane - near_plane));
   return (a * distance + b) / distance;
 }
 
@@ -35,14 +36,14 @@ Variant<double> computed_in_fp32(const std::string& name, double steps) {
       return steps > 0 ? std::nearbyint(std::min(std::max(depth, 0.0), 1.0) * steps) / steps : depth;
     };
     const double a = keep(nearer), b = keep(farther);
-    const double distance = far * near / (far - a * (far - near));
+    const double distance = far_plane * near_plane / (far_plane - a * (far_plane - near_plane));
     return std::array<double, 2>{distance, a < b ? 1.0 : a > b ? -1.0 : 0.0};
   });
 }
 
-float reversed_fp32(float distance) { return static_cast<float>(near) / distance; }
+float reversed_fp32(float distance) { return static_cast<float>(near_plane) / distance; }
 
-InputFamily family(const char* name, const char* text, double gap) {
+InputFamily depth_family(const char* name, const char* text, double gap) {
   return {name, text, [gap](Random& random, std::size_t count) {
             return drawn(random, 2, count, {}, [gap](Random& r, double* in) {
               // Each binade of distances is as likely: near 2^-3 to far 2^16.
@@ -66,9 +67,9 @@ Operation depth() {
   op.results = 2;
   op.measured = 1;
   op.families = {
-      family("benign", "pairs 10^-3 apart, relative, from 0.125 to 65536", 1e-3),
-      family("wide", "pairs 10^-5 apart", 1e-5),
-      family("adversarial", "pairs 2^-21 apart", 0x1p-21),
+      depth_family("benign", "pairs 10^-3 apart, relative, from 0.125 to 65536", 1e-3),
+      depth_family("wide", "pairs 10^-5 apart", 1e-5),
+      depth_family("adversarial", "pairs 2^-21 apart", 0x1p-21),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     results[0].value = results[0].magnitude = in(0, i);
@@ -91,7 +92,7 @@ Operation depth() {
                        [](double nearer, double farther) {
                          const float a = reversed_fp32(static_cast<float>(nearer)),
                                      b = reversed_fp32(static_cast<float>(farther));
-                         return std::array<double, 2>{near / a, a > b ? 1.0 : a < b ? -1.0 : 0.0};
+                         return std::array<double, 2>{near_plane / a, a > b ? 1.0 : a < b ? -1.0 : 0.0};
                        }),
   };
   op.compared = 16384;

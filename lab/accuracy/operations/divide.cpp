@@ -28,12 +28,13 @@ Quotients by_corrected_reciprocal(float x, float y, float z, float w) {
 
 Quotients by_division(float x, float y, float z, float w) { return {x / w, y / w, z / w}; }
 
-Quotients in_fp64(float x, float y, float z, float w) {
+Quotients quotients_in_fp64(float x, float y, float z, float w) {
   const double r = 1.0 / w;
   return {static_cast<float>(x * r), static_cast<float>(y * r), static_cast<float>(z * r)};
 }
 
-InputFamily family(const char* name, const char* text, int low, int high, double w_low, double w_high, double pixels) {
+InputFamily divide_family(const char* name, const char* text, int low, int high, double w_low, double w_high,
+                          double pixels) {
   return {name, text,
           [=](Random& random, std::size_t count) {
             return drawn(random, 4, count, {}, [=](Random& r, double* in) {
@@ -57,11 +58,12 @@ Operation divide() {
               .reason = "the correctly rounded quotient, the same on every device"};
   op.results = 3;
   op.families = {
-      family("benign", "coordinates of either sign from 1/8 to 1, w from 1 to 16; 960 pixels a unit", -3, -1, 0, 4,
-             960),
-      family("wide", "coordinates from 2^-20 to 2^20, w from 2^-20 to 2^20", -20, 19, -20, 20, 0),
-      family("adversarial", "w from 2^-149 to 2^-120, coordinates as small: 1 / w overflows, the quotient does not",
-             -126, -118, -149, -120, 0),
+      divide_family("benign", "coordinates of either sign from 1/8 to 1, w from 1 to 16; 960 pixels a unit", -3, -1, 0,
+                    4, 960),
+      divide_family("wide", "coordinates from 2^-20 to 2^20, w from 2^-20 to 2^20", -20, 19, -20, 20, 0),
+      divide_family("adversarial",
+                    "w from 2^-149 to 2^-120, coordinates as small: 1 / w overflows, the quotient does not", -126, -118,
+                    -149, -120, 0),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
@@ -74,7 +76,7 @@ Operation divide() {
       elementwise32<4>("times 1 / w", inlined<by_reciprocal>),
       elementwise32<4>("times 1 / w, corrected", inlined<by_corrected_reciprocal>),
       shipped(elementwise32<4>("three divisions", inlined<by_division>)),
-      elementwise32<4>("fp64 times 1 / w", inlined<in_fp64>),
+      elementwise32<4>("fp64 times 1 / w", inlined<quotients_in_fp64>),
   };
   op.streams = true;
   return operation_of(std::move(op));

@@ -10,27 +10,27 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Vector = std::array<float, 3>;
+using FaceNormal = std::array<float, 3>;
 
-Vector naive(float ax, float ay, float az, float bx, float by, float bz) {
+FaceNormal naive_face_normal(float ax, float ay, float az, float bx, float by, float bz) {
   return {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
 }
 
-Vector one_fma(float ax, float ay, float az, float bx, float by, float bz) {
+FaceNormal one_fma(float ax, float ay, float az, float bx, float by, float bz) {
   return {std::fma(ay, bz, -(az * by)), std::fma(az, bx, -(ax * bz)), std::fma(ax, by, -(ay * bx))};
 }
 
-Vector kahan(float ax, float ay, float az, float bx, float by, float bz) {
+FaceNormal kahan(float ax, float ay, float az, float bx, float by, float bz) {
   return {difference_of_products(ay, bz, az, by), difference_of_products(az, bx, ax, bz),
           difference_of_products(ax, by, ay, bx)};
 }
 
-Vector in_fp64(float ax, float ay, float az, float bx, float by, float bz) {
+FaceNormal face_normal_in_fp64(float ax, float ay, float az, float bx, float by, float bz) {
   const auto difference = [](double a, double b, double c, double d) { return static_cast<float>(a * b - c * d); };
   return {difference(ay, bz, az, by), difference(az, bx, ax, bz), difference(ax, by, ay, bx)};
 }
 
-InputFamily family(const char* name, const char* text, double angle, int low, int high) {
+InputFamily face_normal_family(const char* name, const char* text, double angle, int low, int high) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 6, count, {}, [=](Random& r, double* in) {
               const double size = r.binades(low, high);
@@ -55,9 +55,9 @@ Operation face_normal() {
               .reason = "the bound of Kahan's difference of products"};
   op.results = 3;
   op.families = {
-      family("benign", "edges of any direction in the unit box", 0, 0, 0),
-      family("wide", "edges from 2^-20 to 2^20 long, within 10^-2 of parallel", 1e-2, -20, 19),
-      family("adversarial", "edges within 10^-5 of parallel: thin faces", 1e-5, 0, 0),
+      face_normal_family("benign", "edges of any direction in the unit box", 0, 0, 0),
+      face_normal_family("wide", "edges from 2^-20 to 2^20 long, within 10^-2 of parallel", 1e-2, -20, 19),
+      face_normal_family("adversarial", "edges within 10^-5 of parallel: thin faces", 1e-5, 0, 0),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
@@ -69,10 +69,10 @@ Operation face_normal() {
     }
   });
   op.variants = {
-      elementwise32<6>("fp32 naive", inlined<naive>),
+      elementwise32<6>("fp32 naive", inlined<naive_face_normal>),
       elementwise32<6>("fp32, one fma", inlined<one_fma>),
       shipped(elementwise32<6>("Kahan", inlined<kahan>)),
-      elementwise32<6>("fp64", inlined<in_fp64>),
+      elementwise32<6>("fp64", inlined<face_normal_in_fp64>),
   };
   return operation_of(std::move(op));
 }

@@ -10,8 +10,6 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Run = Variant<double>::Run;
-
 // Planes: a, its tangent, b, its tangent (per second), ticks from a, ticks between the keys; a second has 25e6 ticks.
 constexpr std::int64_t ticks_per_second = 25'000'000;
 
@@ -36,7 +34,7 @@ double by_coefficients(double a, double m, double b, double n, double ticks, dou
 
 Variant<double> shipped_track() {
   return {.name = "Track",
-          .prepare = [](const Batch& batch) -> Run {
+          .prepare = [](const Batch& batch) -> Variant<double>::Run {
             auto tracks = std::make_shared<std::vector<Track>>();
             const auto in = [&](std::size_t p, std::size_t i) { return batch.truth.plane(p)[i]; };
             for (std::size_t i = 0; i < batch.size(); ++i)
@@ -52,7 +50,7 @@ Variant<double> shipped_track() {
           .ships = true};
 }
 
-InputFamily family(const char* name, const char* text, auto fill) {
+InputFamily hermite_family(const char* name, const char* text, auto fill) {
   return {name, text, [fill](Random& random, std::size_t count) { return drawn(random, 6, count, {}, fill); }};
 }
 
@@ -68,27 +66,27 @@ Operation hermite() {
               .target = 0.5,
               .reason = "below the one rounding to binary32 that follows"};
   op.families = {
-      family("benign", "values and tangents within 1, keys 1 to 4 seconds apart",
-             [](Random& r, double* in) {
-               for (int k = 0; k < 4; ++k) in[k] = r.uniform(-1, 1);
-               in[5] = r.integer(25'000'000, 100'000'000);
-               in[4] = std::floor(in[5] * r.uniform(0, 1));
-             }),
-      family("wide", "values and tangents of either sign from 2^-20 to 2^20",
-             [](Random& r, double* in) {
-               for (int k = 0; k < 4; ++k) in[k] = r.signed_binades(-20, 19);
-               in[5] = r.integer(250'000, 1'000'000'000);
-               in[4] = std::floor(in[5] * r.uniform(0, 1));
-             }),
-      family("adversarial", "values about 10^6 with 1 between the keys, just before the second key",
-             [](Random& r, double* in) {
-               in[0] = 1e6 + r.uniform(-1, 1);
-               in[2] = 1e6 + r.uniform(-1, 1);
-               in[1] = r.uniform(-1, 1);
-               in[3] = r.uniform(-1, 1);
-               in[5] = r.integer(25'000'000, 100'000'000);
-               in[4] = in[5] - r.integer(1, 1000);
-             }),
+      hermite_family("benign", "values and tangents within 1, keys 1 to 4 seconds apart",
+                     [](Random& r, double* in) {
+                       for (int k = 0; k < 4; ++k) in[k] = r.uniform(-1, 1);
+                       in[5] = r.integer(25'000'000, 100'000'000);
+                       in[4] = std::floor(in[5] * r.uniform(0, 1));
+                     }),
+      hermite_family("wide", "values and tangents of either sign from 2^-20 to 2^20",
+                     [](Random& r, double* in) {
+                       for (int k = 0; k < 4; ++k) in[k] = r.signed_binades(-20, 19);
+                       in[5] = r.integer(250'000, 1'000'000'000);
+                       in[4] = std::floor(in[5] * r.uniform(0, 1));
+                     }),
+      hermite_family("adversarial", "values about 10^6 with 1 between the keys, just before the second key",
+                     [](Random& r, double* in) {
+                       in[0] = 1e6 + r.uniform(-1, 1);
+                       in[2] = 1e6 + r.uniform(-1, 1);
+                       in[1] = r.uniform(-1, 1);
+                       in[3] = r.uniform(-1, 1);
+                       in[5] = r.integer(25'000'000, 100'000'000);
+                       in[4] = in[5] - r.integer(1, 1000);
+                     }),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* result) {
     using Number = NumberOf<decltype(result)>;

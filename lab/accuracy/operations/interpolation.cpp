@@ -29,7 +29,7 @@ float fp64_form(float a1, float w1, float a2, float w2, float t) {
 }
 
 // t = k / steps, exact, so that 1 - t is too; the ends are among them, and every second one is near an end.
-InputFamily family(const char* name, const char* text, int w_binades, int steps) {
+InputFamily interpolation_family(const char* name, const char* text, int w_binades, int steps) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 5, count, {}, [=](Random& r, double* in) {
               in[0] = r.uniform(1, 2);
@@ -57,9 +57,9 @@ Operation interpolation() {
               .target = 5,
               .reason = "5 ulp, which no colour of 16 bits shows"};
   op.families = {
-      family("benign", "w ratio up to 8, attributes in [1, 2), t = k / 1024", 3, 1024),
-      family("wide", "w ratio up to 2^10, t = k / 1024", 10, 1024),
-      family("adversarial", "w ratio up to 2^20, t = k / 2^22", 20, 1 << 22),
+      interpolation_family("benign", "w ratio up to 8, attributes in [1, 2), t = k / 1024", 3, 1024),
+      interpolation_family("wide", "w ratio up to 2^10, t = k / 1024", 10, 1024),
+      interpolation_family("adversarial", "w ratio up to 2^20, t = k / 2^22", 20, 1 << 22),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* result) {
     using Number = NumberOf<decltype(result)>;

@@ -8,7 +8,7 @@ namespace morphcl::accuracy {
 
 namespace {
 
-std::vector<Variant<float>> variants() {
+std::vector<Variant<float>> lerp_variants() {
   const char* program = "accuracy_interpolation_f32";
   return {
       with_kernel(elementwise32<3>("a + t (b - a)", [](float a, float b, float t) { return a + t * (b - a); }), program,
@@ -80,7 +80,7 @@ Operation lerp_morph() {
     result->value = (1 - t) * a + t * b;
     result->magnitude = abs(a) > abs(b) ? abs(a) : abs(b);
   });
-  op.variants = variants();
+  op.variants = lerp_variants();
   op.streams = true;
   return operation_of(std::move(op));
 }

@@ -13,7 +13,7 @@ namespace {
 using View = std::array<double, 6>;
 
 template <class Real>
-View naive(double azimuth_degrees, double elevation_degrees) {
+View naive_axonometric(double azimuth_degrees, double elevation_degrees) {
   constexpr Real degree = static_cast<Real>(3.14159265358979323846 / 180);
   const Real azimuth = static_cast<Real>(azimuth_degrees) * degree;
   const Real elevation = static_cast<Real>(elevation_degrees) * degree;
@@ -22,13 +22,13 @@ View naive(double azimuth_degrees, double elevation_degrees) {
           static_cast<double>(-se * sa), static_cast<double>(ce), static_cast<double>(-se * ca)};
 }
 
-View shipped_in_fp64(double azimuth_degrees, double elevation_degrees) {
+View shipped_axonometric_in_fp64(double azimuth_degrees, double elevation_degrees) {
   const ViewDirection view = view_from_angles(azimuth_degrees, elevation_degrees);
   return {view.towards_eye.x, view.towards_eye.y, view.towards_eye.z, view.up.x, view.up.y, view.up.z};
 }
 
-View shipped_rounded(double azimuth_degrees, double elevation_degrees) {
-  View view = shipped_in_fp64(azimuth_degrees, elevation_degrees);
+View shipped_axonometric_rounded(double azimuth_degrees, double elevation_degrees) {
+  View view = shipped_axonometric_in_fp64(azimuth_degrees, elevation_degrees);
   for (double& component : view) component = static_cast<float>(component);
   return view;
 }
@@ -74,10 +74,10 @@ Operation matrix_axonometric() {
     for (std::size_t r = 0; r < 6; ++r) results[r].magnitude = abs(results[r].value);
   });
   op.variants = {
-      elementwise64<2>("fp32", inlined<naive<float>>),
-      elementwise64<2>("fp64, C library", inlined<naive<double>>),
-      shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_rounded>)),
-      shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_in_fp64>)),
+      elementwise64<2>("fp32", inlined<naive_axonometric<float>>),
+      elementwise64<2>("fp64, C library", inlined<naive_axonometric<double>>),
+      shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_axonometric_rounded>)),
+      shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_axonometric_in_fp64>)),
   };
   op.compared = 2048;
   return operation_of(std::move(op));

@@ -6,40 +6,32 @@
 #include "host/math/look_at.hpp"
 #include "host/math/rounding.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
+#include "lab/accuracy/operations/matrix_entries.hpp"
 #include "lab/accuracy/operations/operations.hpp"
 
 namespace morphcl::accuracy {
 
 namespace {
 
-using Entries = std::array<double, 9>;  // the rotation, row after row
-
 template <class Real>
-Entries entries_of(const glm::mat<4, 4, Real>& m) {
-  Entries entries;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) entries[3 * row + column] = static_cast<double>(m[column][row]);
-  return entries;
-}
-
-template <class Real>
-Entries naive(double ex, double ey, double ez, double tx, double ty, double tz, double ux, double uy, double uz) {
+Entries3x3 naive_look_at(double ex, double ey, double ez, double tx, double ty, double tz, double ux, double uy,
+                         double uz) {
   using Vector = glm::vec<3, Real>;
-  return entries_of(glm::lookAt(Vector(ex, ey, ez), Vector(tx, ty, tz), Vector(ux, uy, uz)));
+  return entries_3x3(glm::lookAt(Vector(ex, ey, ez), Vector(tx, ty, tz), Vector(ux, uy, uz)));
 }
 
-Entries shipped_in_fp64(double ex, double ey, double ez, double tx, double ty, double tz, double ux, double uy,
-                        double uz) {
-  return entries_of(look_at({ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}).world_to_eye);
+Entries3x3 shipped_look_at_in_fp64(double ex, double ey, double ez, double tx, double ty, double tz, double ux,
+                                   double uy, double uz) {
+  return entries_3x3(look_at({ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}).world_to_eye);
 }
 
-Entries shipped_rounded(double ex, double ey, double ez, double tx, double ty, double tz, double ux, double uy,
-                        double uz) {
-  return entries_of(to_fp32(look_at({ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}).world_to_eye));
+Entries3x3 shipped_look_at_rounded(double ex, double ey, double ez, double tx, double ty, double tz, double ux,
+                                   double uy, double uz) {
+  return entries_3x3(to_fp32(look_at({ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}).world_to_eye));
 }
 
 // `angle` is about that of up and the view axis; inputs are binary32 numbers, so that all variants read the same.
-InputFamily family(const char* name, const char* text, double distance, int low, int high, bool near_parallel) {
+InputFamily look_at_family(const char* name, const char* text, double distance, int low, int high, bool near_parallel) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 9, count, {}, [=](Random& r, double* in) {
               for (int axis = 0; axis < 3; ++axis) {
@@ -57,16 +49,16 @@ InputFamily family(const char* name, const char* text, double distance, int low,
 }
 
 template <class Number>
-using Vector = std::array<Number, 3>;
+using ExactVector = std::array<Number, 3>;
 
 template <class Number>
-Vector<Number> unit(const Vector<Number>& v) {
+ExactVector<Number> unit(const ExactVector<Number>& v) {
   const Number length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
 template <class Number>
-Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+ExactVector<Number> cross(const ExactVector<Number>& a, const ExactVector<Number>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -83,18 +75,18 @@ Operation matrix_look_at() {
               .reason = "4 u of entries up to 1"};
   op.results = 9;
   op.families = {
-      family("benign", "eye about 1 from the target, up of any direction", 1, 0, 0, false),
-      family("wide", "the same 1000 away from the origin", 1000, 0, 0, false),
-      family("adversarial", "up within 2^-20 to 2^-10 radians of the view axis", 1, -20, -11, true),
+      look_at_family("benign", "eye about 1 from the target, up of any direction", 1, 0, 0, false),
+      look_at_family("wide", "the same 1000 away from the origin", 1000, 0, 0, false),
+      look_at_family("adversarial", "up within 2^-20 to 2^-10 radians of the view axis", 1, -20, -11, true),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
-    Vector<Number> backward, up;
+    ExactVector<Number> backward, up;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       backward[axis] = Number(in(axis, i)) - in(axis + 3, i);
       up[axis] = in(axis + 6, i);
     }
-    const Vector<Number> z = unit(backward), x = unit(cross(up, z)), y = cross(z, x);
+    const ExactVector<Number> z = unit(backward), x = unit(cross(up, z)), y = cross(z, x);
     for (std::size_t column = 0; column < 3; ++column) {
       results[column] = {x[column], Number(1)};
       results[3 + column] = {y[column], Number(1)};
@@ -102,10 +94,10 @@ Operation matrix_look_at() {
     }
   });
   op.variants = {
-      elementwise64<9>("fp32 cross products", inlined<naive<float>>),
-      elementwise64<9>("fp64 cross products", inlined<naive<double>>),
-      shipped(elementwise64<9>("morphcl, rounded once", inlined<shipped_rounded>)),
-      shipped(elementwise64<9>("morphcl in fp64", inlined<shipped_in_fp64>)),
+      elementwise64<9>("fp32 cross products", inlined<naive_look_at<float>>),
+      elementwise64<9>("fp64 cross products", inlined<naive_look_at<double>>),
+      shipped(elementwise64<9>("morphcl, rounded once", inlined<shipped_look_at_rounded>)),
+      shipped(elementwise64<9>("morphcl in fp64", inlined<shipped_look_at_in_fp64>)),
   };
   op.compared = 2048;
   return operation_of(std::move(op));

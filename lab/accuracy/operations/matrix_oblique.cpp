@@ -13,20 +13,20 @@ namespace {
 using Shear = std::array<double, 2>;
 
 template <class Real>
-Shear naive(double direction_degrees, double beta_degrees) {
+Shear naive_oblique(double direction_degrees, double beta_degrees) {
   constexpr Real degree = static_cast<Real>(3.14159265358979323846 / 180);
   const Real direction = static_cast<Real>(direction_degrees) * degree, beta = static_cast<Real>(beta_degrees) * degree;
   const Real factor = 1 / std::tan(beta);
   return {static_cast<double>(factor * std::cos(direction)), static_cast<double>(factor * std::sin(direction))};
 }
 
-Shear shipped_in_fp64(double direction_degrees, double beta_degrees) {
+Shear shipped_oblique_in_fp64(double direction_degrees, double beta_degrees) {
   const ObliqueShear shear = oblique_shear(direction_degrees, oblique_factor(beta_degrees));
   return {shear.x, shear.y};
 }
 
-Shear shipped_rounded(double direction_degrees, double beta_degrees) {
-  const Shear shear = shipped_in_fp64(direction_degrees, beta_degrees);
+Shear shipped_oblique_rounded(double direction_degrees, double beta_degrees) {
+  const Shear shear = shipped_oblique_in_fp64(direction_degrees, beta_degrees);
   return {static_cast<float>(shear[0]), static_cast<float>(shear[1])};
 }
 
@@ -68,10 +68,10 @@ Operation matrix_oblique() {
     for (std::size_t r = 0; r < 2; ++r) results[r].magnitude = abs(results[r].value);
   });
   op.variants = {
-      elementwise64<2>("fp32", inlined<naive<float>>),
-      elementwise64<2>("fp64, C library", inlined<naive<double>>),
-      shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_rounded>)),
-      shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_in_fp64>)),
+      elementwise64<2>("fp32", inlined<naive_oblique<float>>),
+      elementwise64<2>("fp64, C library", inlined<naive_oblique<double>>),
+      shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_oblique_rounded>)),
+      shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_oblique_in_fp64>)),
   };
   op.compared = 2048;
   return operation_of(std::move(op));

@@ -11,7 +11,6 @@ namespace morphcl::accuracy {
 namespace {
 
 // Planes: x. Constants: the point X and the factor S, both binary32.
-using Run = Variant<float>::Run;
 
 struct Scaling {
   float point, factor;
@@ -20,7 +19,7 @@ struct Scaling {
 // prepare(scaling) makes the function that is applied to each x.
 template <class Prepare>
 Variant<float> applied(const char* name, Prepare prepare) {
-  return {.name = name, .prepare = [prepare](const Batch& batch) -> Run {
+  return {.name = name, .prepare = [prepare](const Batch& batch) -> Variant<float>::Run {
             const auto apply =
                 prepare(Scaling{static_cast<float>(batch.constants[0]), static_cast<float>(batch.constants[1])});
             return [apply, x = batch.stored.plane(0), count = batch.size()](Planes<float>& results) {
@@ -57,7 +56,8 @@ auto shipped_step(Scaling s) {
   };
 }
 
-InputFamily family(const char* name, const char* text, double point, double factor, double spread, double pixels) {
+InputFamily scale_about_family(const char* name, const char* text, double point, double factor, double spread,
+                               double pixels) {
   return {name, text,
           [=](Random& random, std::size_t count) {
             const double at = static_cast<float>(point), by = static_cast<float>(factor);
@@ -79,9 +79,9 @@ Operation matrix_scale_about() {
               .target = 2,
               .reason = "two roundings of the larger term"};
   op.families = {
-      family("benign", "by 1.7 about 0.3, coordinates within 1 of it", 0.3, 1.7, 1, 540),
-      family("wide", "by 0.37 about 1234.5, coordinates within 100 of it", 1234.5, 0.37, 100, 5.4),
-      family("adversarial", "by 2.9 about 10^8, coordinates within 1000 of it", 1e8, 2.9, 1000, 0.54),
+      scale_about_family("benign", "by 1.7 about 0.3, coordinates within 1 of it", 0.3, 1.7, 1, 540),
+      scale_about_family("wide", "by 0.37 about 1234.5, coordinates within 100 of it", 1234.5, 0.37, 100, 5.4),
+      scale_about_family("adversarial", "by 2.9 about 10^8, coordinates within 1000 of it", 1e8, 2.9, 1000, 0.54),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* result) {
     using Number = NumberOf<decltype(result)>;

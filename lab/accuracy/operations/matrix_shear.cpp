@@ -5,6 +5,7 @@
 #include "host/math/composite_transform.hpp"
 #include "host/math/rounding.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
+#include "lab/accuracy/operations/matrix_entries.hpp"
 #include "lab/accuracy/operations/operations.hpp"
 
 namespace morphcl::accuracy {
@@ -12,48 +13,38 @@ namespace morphcl::accuracy {
 namespace {
 
 // Planes: the factors xy, xz, yx, yz, zx, zy, binary32 numbers. Results: the inverse, row after row.
-using Entries = std::array<double, 9>;
-
-template <class Matrix>
-Entries entries_of(const Matrix& m) {
-  Entries entries;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) entries[3 * row + column] = static_cast<double>(m[column][row]);
-  return entries;
-}
-
 template <class Real>
-Entries cofactors(double xy, double xz, double yx, double yz, double zx, double zy) {
+Entries3x3 cofactors(double xy, double xz, double yx, double yz, double zx, double zy) {
   using Column = glm::vec<3, Real>;
-  return entries_of(glm::inverse(glm::mat<3, 3, Real>(Column(1, yx, zx), Column(xy, 1, zy), Column(xz, yz, 1))));
+  return entries_3x3(glm::inverse(glm::mat<3, 3, Real>(Column(1, yx, zx), Column(xy, 1, zy), Column(xz, yz, 1))));
 }
 
 glm::dmat4 inverse_of(double xy, double xz, double yx, double yz, double zx, double zy) {
   return CompositeTransform().shear(xy, xz, yx, yz, zx, zy).inverse().matrix();
 }
 
-Entries shipped_in_fp64(double xy, double xz, double yx, double yz, double zx, double zy) {
-  return entries_of(inverse_of(xy, xz, yx, yz, zx, zy));
+Entries3x3 shipped_shear_in_fp64(double xy, double xz, double yx, double yz, double zx, double zy) {
+  return entries_3x3(inverse_of(xy, xz, yx, yz, zx, zy));
 }
 
-Entries shipped_rounded(double xy, double xz, double yx, double yz, double zx, double zy) {
-  return entries_of(to_fp32(inverse_of(xy, xz, yx, yz, zx, zy)));
+Entries3x3 shipped_shear_rounded(double xy, double xz, double yx, double yz, double zx, double zy) {
+  return entries_3x3(to_fp32(inverse_of(xy, xz, yx, yz, zx, zy)));
 }
 
 template <class Number>
-using Matrix = std::array<std::array<Number, 3>, 3>;  // rows
+using ExactMatrix = std::array<std::array<Number, 3>, 3>;  // rows
 
 template <class Number>
-Matrix<Number> magnitudes(const Matrix<Number>& a) {
-  Matrix<Number> m;
+ExactMatrix<Number> magnitudes(const ExactMatrix<Number>& a) {
+  ExactMatrix<Number> m;
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t column = 0; column < 3; ++column) m[row][column] = abs(a[row][column]);
   return m;
 }
 
 template <class Number>
-Matrix<Number> product(const Matrix<Number>& a, const Matrix<Number>& b) {
-  Matrix<Number> m;
+ExactMatrix<Number> product(const ExactMatrix<Number>& a, const ExactMatrix<Number>& b) {
+  ExactMatrix<Number> m;
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t column = 0; column < 3; ++column)
       m[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] + a[row][2] * b[2][column];
@@ -62,8 +53,8 @@ Matrix<Number> product(const Matrix<Number>& a, const Matrix<Number>& b) {
 
 // The cofactor of (row, column) is a difference of two products of the other rows and columns, in cyclic order.
 template <class Number>
-Matrix<Number> inverse(const Matrix<Number>& a) {
-  Matrix<Number> m;
+ExactMatrix<Number> inverse(const ExactMatrix<Number>& a) {
+  ExactMatrix<Number> m;
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t column = 0; column < 3; ++column) {
       const std::size_t r1 = (row + 1) % 3, r2 = (row + 2) % 3, c1 = (column + 1) % 3, c2 = (column + 2) % 3;
@@ -106,10 +97,10 @@ Operation matrix_shear() {
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
     const auto factor = [&](std::size_t plane) { return Number(in(plane, i)); };
-    const Matrix<Number> shear = {
+    const ExactMatrix<Number> shear = {
         {{Number(1), factor(0), factor(1)}, {factor(2), Number(1), factor(3)}, {factor(4), factor(5), Number(1)}}};
-    const Matrix<Number> exact = inverse(shear), positive = magnitudes(exact);
-    const Matrix<Number> condition = product(product(positive, magnitudes(shear)), positive);
+    const ExactMatrix<Number> exact = inverse(shear), positive = magnitudes(exact);
+    const ExactMatrix<Number> condition = product(product(positive, magnitudes(shear)), positive);
     for (std::size_t row = 0; row < 3; ++row)
       for (std::size_t column = 0; column < 3; ++column)
         results[3 * row + column] = {exact[row][column], condition[row][column]};
@@ -117,8 +108,8 @@ Operation matrix_shear() {
   op.variants = {
       elementwise64<6>("fp32 cofactors", inlined<cofactors<float>>),
       elementwise64<6>("fp64 cofactors", inlined<cofactors<double>>),
-      shipped(elementwise64<6>("morphcl, rounded once", inlined<shipped_rounded>)),
-      shipped(elementwise64<6>("morphcl in fp64", inlined<shipped_in_fp64>)),
+      shipped(elementwise64<6>("morphcl, rounded once", inlined<shipped_shear_rounded>)),
+      shipped(elementwise64<6>("morphcl in fp64", inlined<shipped_shear_in_fp64>)),
   };
   op.compared = 2048;
   return operation_of(std::move(op));

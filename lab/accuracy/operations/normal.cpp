@@ -10,11 +10,10 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Vector = std::array<float, 3>;
-using Run = Variant<float>::Run;
+using VertexNormal = std::array<float, 3>;
 
 // Points are stretched by these factors, so normals are divided by them.
-constexpr Vector stretch = {1, 3, 0.5f};
+constexpr VertexNormal stretch = {1, 3, 0.5f};
 
 template <class Real>
 std::array<Real, 3> divided_by_length(Real x, Real y, Real z) {
@@ -22,15 +21,15 @@ std::array<Real, 3> divided_by_length(Real x, Real y, Real z) {
   return {x / length, y / length, z / length};
 }
 
-Vector with_the_points_matrix(float x, float y, float z) {
+VertexNormal with_the_points_matrix(float x, float y, float z) {
   return divided_by_length(x * stretch[0], y * stretch[1], z * stretch[2]);
 }
 
-Vector inverse_transpose(float x, float y, float z) {
+VertexNormal inverse_transpose(float x, float y, float z) {
   return divided_by_length(x / stretch[0], y / stretch[1], z / stretch[2]);
 }
 
-Vector reciprocal_length(float x, float y, float z) {
+VertexNormal reciprocal_length(float x, float y, float z) {
   x /= stretch[0];
   y /= stretch[1];
   z /= stretch[2];
@@ -38,7 +37,7 @@ Vector reciprocal_length(float x, float y, float z) {
   return {x * r, y * r, z * r};
 }
 
-Vector in_fp64(float x, float y, float z) {
+VertexNormal normal_in_fp64(float x, float y, float z) {
   const auto unit = divided_by_length<double>(x / static_cast<double>(stretch[0]), y / static_cast<double>(stretch[1]),
                                               z / static_cast<double>(stretch[2]));
   return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
@@ -47,7 +46,7 @@ Vector in_fp64(float x, float y, float z) {
 // The product's batch transform.
 Variant<float> shipped_normals() {
   return {.name = "scaled by exponent",
-          .prepare = [](const Batch& batch) -> Run {
+          .prepare = [](const Batch& batch) -> Variant<float>::Run {
             AffineRows<float> rows;
             rows.x[0] = stretch[0];
             rows.y[1] = stretch[1];
@@ -64,7 +63,7 @@ Variant<float> shipped_normals() {
           .ships = true};
 }
 
-InputFamily family(const char* name, const char* text, int low, int high, int spread) {
+InputFamily normal_family(const char* name, const char* text, int low, int high, int spread) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 3, count, {}, [=](Random& r, double* in) {
               const double size = r.binades(low, high);
@@ -86,9 +85,10 @@ Operation normal() {
               .reason = "4 u of the length 1"};
   op.results = 3;
   op.families = {
-      family("benign", "lengths about 1", -1, 0, 3),
-      family("wide", "lengths from 2^-50 to 2^50, components up to 2^20 apart", -50, 49, 20),
-      family("adversarial", "lengths from 2^-120 to 2^-80 and so squares below the smallest number", -120, -81, 3),
+      normal_family("benign", "lengths about 1", -1, 0, 3),
+      normal_family("wide", "lengths from 2^-50 to 2^50, components up to 2^20 apart", -50, 49, 20),
+      normal_family("adversarial", "lengths from 2^-120 to 2^-80 and so squares below the smallest number", -120, -81,
+                    3),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
@@ -105,7 +105,7 @@ Operation normal() {
       elementwise32<3>("inverse transpose", inlined<inverse_transpose>),
       elementwise32<3>("times 1 / length", inlined<reciprocal_length>),
       shipped_normals(),
-      elementwise32<3>("fp64", inlined<in_fp64>),
+      elementwise32<3>("fp64", inlined<normal_in_fp64>),
   };
   op.streams = true;
   return operation_of(std::move(op));

@@ -16,15 +16,13 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Run = Variant<float>::Run;
-
 struct Point {
   float x, y, z;
 };
 
 // results[row][i] = apply(row, point i).
 template <class Load, class Apply>
-Run rows_of_points(std::size_t count, Load load, Apply apply) {
+Variant<float>::Run rows_of_points(std::size_t count, Load load, Apply apply) {
   return [=](Planes<float>& results) {
     float *x = results.plane(0), *y = results.plane(1), *z = results.plane(2);
     for_each_element(count, [=](std::size_t i) {
@@ -77,7 +75,7 @@ auto two_float(const Rows32& high, const Rows32& low) {
   };
 }
 
-auto in_fp64(const Rows64& m) {
+auto points_in_fp64(const Rows64& m) {
   return [m](int row, const Point& p) {
     const double x = p.x, y = p.y, z = p.z;
     return static_cast<float>(x * m[row][0] + y * m[row][1] + z * m[row][2] + m[row][3]);
@@ -128,7 +126,7 @@ float half_at(const Quantised& q, std::size_t axis, std::size_t i) { return from
 
 Variant<float> quantised_variant(const std::string& name, int levels) {
   return {.name = name,
-          .prepare = [levels](const Batch& batch) -> Run {
+          .prepare = [levels](const Batch& batch) -> Variant<float>::Run {
             const auto q = std::make_shared<Quantised>(quantised(batch, levels));
             const auto load = [q = q.get()](std::size_t i) {
               return Point{decoded(*q, 0, i), decoded(*q, 1, i), decoded(*q, 2, i)};
@@ -142,7 +140,7 @@ Variant<float> quantised_variant(const std::string& name, int levels) {
 
 Variant<float> half_variant() {
   return {.name = "half storage",
-          .prepare = [](const Batch& batch) -> Run {
+          .prepare = [](const Batch& batch) -> Variant<float>::Run {
             const auto q = std::make_shared<Quantised>(as_halves(batch));
             const auto load = [q = q.get()](std::size_t i) {
               return Point{half_at(*q, 0, i), half_at(*q, 1, i), half_at(*q, 2, i)};
@@ -159,7 +157,7 @@ Transform<float> shipped_transform(const Batch& batch) {
   return Transform<float>::points(AffineRows<float>{m[0], m[1], m[2]});
 }
 
-Run shipped_on_host(const Batch& batch) {
+Variant<float>::Run shipped_on_host(const Batch& batch) {
   // The arrays are only read.
   auto plane = [&batch](std::size_t p) { return std::span<const float>(batch.stored.plane(p), batch.size()); };
   const auto in = Vertices<const float>::separate(plane(0), plane(1), plane(2));
@@ -217,9 +215,9 @@ std::vector<double> two_float_constants(const Batch& batch) {
   return values;
 }
 
-std::vector<Variant<float>> variants() {
+std::vector<Variant<float>> point_variants() {
   const auto on_points = [](auto apply_for) {
-    return [apply_for](const Batch& batch) -> Run {
+    return [apply_for](const Batch& batch) -> Variant<float>::Run {
       return rows_of_points(batch.size(), stored_points(batch), apply_for(batch));
     };
   };
@@ -244,7 +242,7 @@ std::vector<Variant<float>> variants() {
        }),
        .device = f32("two_float", two_float_constants)},
       {.name = "fp64",
-       .prepare = on_points([](const Batch& b) { return in_fp64(composed_in_fp64(b)); }),
+       .prepare = on_points([](const Batch& b) { return points_in_fp64(composed_in_fp64(b)); }),
        .device =
            kernel_run("accuracy_points_f64", "in_fp64", [](const Batch& b) { return flat(composed_in_fp64(b)); })},
       half_variant(),
@@ -254,7 +252,8 @@ std::vector<Variant<float>> variants() {
 }
 
 // `coordinate` draws one about a pivot of the given coordinate.
-InputFamily family(const char* name, const char* text, std::array<double, 3> pivot, auto coordinate, double pixels) {
+InputFamily point_transform_family(const char* name, const char* text, std::array<double, 3> pivot, auto coordinate,
+                                   double pixels) {
   return {name, text,
           [=](Random& random, std::size_t count) {
             return drawn(random, 3, count, {pivot[0], pivot[1], pivot[2]}, [=](Random& r, double* p) {
@@ -277,19 +276,19 @@ Operation point_transform() {
               .reason = "a hundredth of a pixel"};
   op.results = 3;
   op.families = {
-      family(
+      point_transform_family(
           "benign", "points of the unit box, pivot (1/2, 1/2, 1/2); 1080 pixels a unit", {0.5, 0.5, 0.5},
           [](Random& r, double) { return r.uniform(0, 1); }, 1080),
-      family(
+      point_transform_family(
           "wide", "coordinates of either sign from 2^-20 to 2^20, pivot 1000; 1080 pixels for 2^21", {1000, 1000, 1000},
           [](Random& r, double) { return r.signed_binades(-20, 19); }, 1080 / 0x1p21),
-      family(
+      point_transform_family(
           "adversarial", "points within 1 of a pivot at (10000, 13000, -9000); 540 pixels a unit",
           {10000, 13000, -9000}, [](Random& r, double pivot) { return pivot + r.uniform(-1, 1); }, 540),
   };
   op.reference =
       Reference([](const Inputs& in, std::size_t i, auto* results) { exact_pivot_rotation(in, i, results); });
-  op.variants = variants();
+  op.variants = point_variants();
   op.streams = true;
   return operation_of(std::move(op));
 }

@@ -15,7 +15,8 @@ using Quaternion = std::array<double, 4>;
 
 // The textbook's formula, sin((1-t)a) / sin a and sin(ta) / sin a with a from acos, along the shorter arc.
 template <class Real>
-Quaternion naive(double ax, double ay, double az, double aw, double bx, double by, double bz, double bw, double t64) {
+Quaternion naive_slerp(double ax, double ay, double az, double aw, double bx, double by, double bz, double bw,
+                       double t64) {
   const std::array<Real, 4> a = {Real(ax), Real(ay), Real(az), Real(aw)};
   std::array<Real, 4> b = {Real(bx), Real(by), Real(bz), Real(bw)};
   const Real t = static_cast<Real>(t64);
@@ -43,7 +44,7 @@ Quaternion shipped_slerp(double ax, double ay, double az, double aw, double bx, 
   return {q.x, q.y, q.z, q.w};
 }
 
-InputFamily family(const char* name, const char* text, int low, int high) {
+InputFamily slerp_family(const char* name, const char* text, int low, int high) {
   return {name, text, [=](Random& random, std::size_t count) {
             return drawn(random, 9, count, {}, [=](Random& r, double* in) {
               draw_quaternion_pair(r, r.binades(low, high), in);
@@ -65,9 +66,9 @@ Operation slerp_rotation() {
               .reason = "two roundings to binary32 of the components"};
   op.results = 4;
   op.families = {
-      family("benign", "keys 1/2 to 2 radians apart (of the rotation)", -1, 0),
-      family("wide", "keys 2^-20 to 2 radians apart", -20, 0),
-      family("adversarial", "keys 2^-40 to 2^-12 radians apart", -40, -13),
+      slerp_family("benign", "keys 1/2 to 2 radians apart (of the rotation)", -1, 0),
+      slerp_family("wide", "keys 2^-20 to 2 radians apart", -20, 0),
+      slerp_family("adversarial", "keys 2^-40 to 2^-12 radians apart", -40, -13),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
@@ -81,8 +82,8 @@ Operation slerp_rotation() {
     for (std::size_t k = 0; k < 4; ++k) results[k] = {a[k] * from + b[k] * to, Number(1)};
   });
   op.variants = {
-      elementwise64<9>("acos and sin in fp32", inlined<naive<float>>),
-      elementwise64<9>("acos and sin in fp64", inlined<naive<double>>),
+      elementwise64<9>("acos and sin in fp32", inlined<naive_slerp<float>>),
+      elementwise64<9>("acos and sin in fp64", inlined<naive_slerp<double>>),
       elementwise64<9>("nlerp", inlined<nlerp>),
       shipped(elementwise64<9>("sinc", inlined<shipped_slerp>)),
   };

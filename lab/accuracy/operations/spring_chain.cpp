@@ -14,10 +14,8 @@ namespace morphcl::accuracy {
 
 namespace {
 
-using Run = Variant<double>::Run;
-
-constexpr int frames = 24;
-constexpr double frame_seconds = 1.0 / 24;
+constexpr int chain_frames = 24;
+constexpr double chain_frame_seconds = 1.0 / 24;
 
 ChainVector targets(double phase, int frame) {
   ChainVector g;
@@ -28,14 +26,15 @@ ChainVector targets(double phase, int frame) {
 // Planes: the phase. Results: the masses' positions after the last frame. `make` makes a function (positions, g0, g1)
 // that goes on by a frame from rest.
 template <class Make>
-Variant<double> following(const std::string& name, Make make) {
-  return {.name = name, .prepare = [make](const Batch& batch) -> Run {
+Variant<double> following_chain(const std::string& name, Make make) {
+  return {.name = name, .prepare = [make](const Batch& batch) -> Variant<double>::Run {
             const auto prepared = make();
             return [prepared, phases = batch.truth.plane(0), count = batch.size()](Planes<double>& results) {
               for (std::size_t i = 0; i < count; ++i) {
                 auto advance = prepared;
                 ChainVector positions{};
-                for (int k = 0; k < frames; ++k) advance(positions, targets(phases[i], k), targets(phases[i], k + 1));
+                for (int k = 0; k < chain_frames; ++k)
+                  advance(positions, targets(phases[i], k), targets(phases[i], k + 1));
                 for (std::size_t m = 0; m < chain_masses; ++m) results.plane(m)[i] = positions[m];
               }
             };
@@ -49,9 +48,9 @@ ChainVector between(const ChainVector& a, const ChainVector& b, double t) {
 }
 
 template <class Integrator>
-Variant<double> integrated(const char* name, int substeps) {
-  return following(std::string(name) + ", " + std::to_string(substeps), [substeps] {
-    return [integrator = Integrator(frame_seconds / substeps), motion = ChainMotion(), substeps](
+Variant<double> integrated_chain(const char* name, int substeps) {
+  return following_chain(std::string(name) + ", " + std::to_string(substeps), [substeps] {
+    return [integrator = Integrator(chain_frame_seconds / substeps), motion = ChainMotion(), substeps](
                ChainVector& positions, const ChainVector& g0, const ChainVector& g1) mutable {
       for (int j = 0; j < substeps; ++j)
         integrator.step(motion, between(g0, g1, static_cast<double>(j) / substeps),
@@ -76,9 +75,9 @@ Displacements displacements(const ChainVector& along_x) {
 
 // The product's step, which moves in three dimensions.
 Variant<double> shipped_tr_bdf2(int substeps) {
-  Variant<double> variant = following("TR-BDF2, " + std::to_string(substeps), [substeps] {
+  Variant<double> variant = following_chain("TR-BDF2, " + std::to_string(substeps), [substeps] {
     const auto net = std::make_shared<const SpringNet>(chain_net());
-    const auto stepper = std::make_shared<const TrBdf2>(*net, EdgeRest::base, frame_seconds / substeps);
+    const auto stepper = std::make_shared<const morphcl::TrBdf2>(*net, EdgeRest::base, chain_frame_seconds / substeps);
     return [net, stepper, state = NetState{displacements({}), displacements({})}, substeps](
                ChainVector& positions, const ChainVector& g0, const ChainVector& g1) mutable {
       for (int j = 0; j < substeps; ++j)
@@ -93,13 +92,14 @@ Variant<double> shipped_tr_bdf2(int substeps) {
 
 // In its modes the chain is eight springs; each follows its share of the targets in closed form.
 Variant<double> modal() {
-  Variant<double> variant = following("modal closed form", [] {
+  Variant<double> variant = following_chain("modal closed form", [] {
     const SpringNet net = chain_net();
     const auto modes = std::make_shared<const VibrationModes>(find_modes(net));
     std::vector<SpringStep> steps;
     for (const double stiffness : modes->stiffness) {
       const double omega = std::sqrt(stiffness);
-      steps.emplace_back(Spring{omega, (net.damping + net.stiffness_damping * stiffness) / (2 * omega)}, frame_seconds);
+      steps.emplace_back(Spring{omega, (net.damping + net.stiffness_damping * stiffness) / (2 * omega)},
+                         chain_frame_seconds);
     }
     return [modes, steps, states = std::vector<SpringState>(chain_masses)](
                ChainVector& positions, const ChainVector& g0, const ChainVector& g1) mutable {
@@ -113,7 +113,7 @@ Variant<double> modal() {
         }
         start /= modes->stiffness[m];
         end /= modes->stiffness[m];
-        states[m] = steps[m].apply(states[m], Cubic{start, (end - start) / frame_seconds, 0, 0});
+        states[m] = steps[m].apply(states[m], Cubic{start, (end - start) / chain_frame_seconds, 0, 0});
         for (std::size_t i = 0; i < chain_masses; ++i) positions[i] += shape[i] * states[m].position;
       }
     };
@@ -122,7 +122,7 @@ Variant<double> modal() {
   return variant;
 }
 
-OperationReport run(const Settings& settings, const Description& about) {
+OperationReport run_chain(const Settings& settings, const Description& about) {
   PlanarOperation<double> op;
   op.about = about;
   op.results = chain_masses;
@@ -132,27 +132,27 @@ OperationReport run(const Settings& settings, const Description& about) {
                   }}};
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* results) {
     using Number = NumberOf<decltype(results)>;
-    const auto positions = exact_chain<Number>(in(0, i), frames);
+    const auto positions = exact_chain<Number>(in(0, i), chain_frames);
     for (std::size_t m = 0; m < chain_masses; ++m) results[m] = {positions[m], Number(1)};
   });
   op.variants = {
-      integrated<ChainSymplecticEuler>("symplectic Euler", 64),
-      integrated<ChainImplicitEuler>("implicit Euler", 16),
-      integrated<ChainImplicitEuler>("implicit Euler", 256),
-      integrated<ChainTrapezoidal>("trapezoidal", 16),
-      integrated<ChainTrapezoidal>("trapezoidal", 256),
-      integrated<ChainBdf2>("BDF2", 16),
-      integrated<ChainBdf2>("BDF2", 256),
+      integrated_chain<ChainSymplecticEuler>("symplectic Euler", 64),
+      integrated_chain<ChainImplicitEuler>("implicit Euler", 16),
+      integrated_chain<ChainImplicitEuler>("implicit Euler", 256),
+      integrated_chain<ChainTrapezoidal>("trapezoidal", 16),
+      integrated_chain<ChainTrapezoidal>("trapezoidal", 256),
+      integrated_chain<ChainBdf2>("BDF2", 16),
+      integrated_chain<ChainBdf2>("BDF2", 256),
       shipped_tr_bdf2(1),
       shipped_tr_bdf2(16),
       shipped_tr_bdf2(64),
       modal(),
   };
   if (!settings.quick)
-    op.variants.insert(op.variants.begin() + 1, integrated<ChainSymplecticEuler>("symplectic Euler", 131072));
+    op.variants.insert(op.variants.begin() + 1, integrated_chain<ChainSymplecticEuler>("symplectic Euler", 131072));
   op.compared = 8;
   op.batch = 1;
-  op.steps_per_element = frames;
+  op.steps_per_element = chain_frames;
   return run_planar(op, settings);
 }
 
@@ -168,7 +168,7 @@ Operation spring_chain() {
                              .plotted = Measure::max_absolute,
                              .target = 1e-4,
                              .reason = "a tenth of a pixel where 1 is 1000 pixels"};
-  return {about, [about](const Settings& settings) { return run(settings, about); }};
+  return {about, [about](const Settings& settings) { return run_chain(settings, about); }};
 }
 
 }  // namespace morphcl::accuracy

@@ -10,11 +10,10 @@ namespace morphcl::accuracy {
 namespace {
 
 // A batch's constant is the width of a square image in pixels; results are sub-pixels along x.
-using Run = Variant<float>::Run;
 
 template <class Snap>
 Variant<float> snapping(const char* name, Snap snap) {
-  return {.name = name, .prepare = [snap](const Batch& batch) -> Run {
+  return {.name = name, .prepare = [snap](const Batch& batch) -> Variant<float>::Run {
             const float scale = static_cast<float>(batch.constants[0]) * 128;
             const float *x = batch.stored.plane(0), *w = batch.stored.plane(1);
             return [=, count = batch.size()](Planes<float>& results) {
@@ -26,7 +25,7 @@ Variant<float> snapping(const char* name, Snap snap) {
 
 Variant<float> shipped_snap() {
   return {.name = "fp32 compensated",
-          .prepare = [](const Batch& batch) -> Run {
+          .prepare = [](const Batch& batch) -> Variant<float>::Run {
             const int width = static_cast<int>(batch.constants[0]);
             const float *x = batch.stored.plane(0), *w = batch.stored.plane(1);
             return [=, grid = RasterGrid(width, width), count = batch.size()](Planes<float>& results) {
@@ -39,7 +38,7 @@ Variant<float> shipped_snap() {
 }
 
 // Far from a tie or next to one: within a few units in the last place of the quotient.
-InputFamily family(const char* name, const char* text, int width, bool near_ties) {
+InputFamily snap_family(const char* name, const char* text, int width, bool near_ties) {
   return {name, text,
           [=](Random& random, std::size_t count) {
             return drawn(random, 2, count, {static_cast<double>(width)}, [=](Random& r, double* in) {
@@ -66,9 +65,9 @@ Operation viewport_snap() {
               .target = 0,
               .reason = "no vertex on another sub-pixel than the exact one"};
   op.families = {
-      family("benign", "1920 pixels wide, w from 1 to 16", 1920, false),
-      family("wide", "16384 pixels wide", 16384, false),
-      family("adversarial", "16384 pixels wide, within three ulp of a tie", 16384, true),
+      snap_family("benign", "1920 pixels wide, w from 1 to 16", 1920, false),
+      snap_family("wide", "16384 pixels wide", 16384, false),
+      snap_family("adversarial", "16384 pixels wide, within three ulp of a tie", 16384, true),
   };
   op.reference = Reference([](const Inputs& in, std::size_t i, auto* result) {
     using Number = NumberOf<decltype(result)>;

@@ -65,7 +65,7 @@ std::vector<TestScene> test_scenes() {
   return scenes;
 }
 
-std::uint64_t hash_of(const FrameBuffer& frame) {
+std::uint64_t hash_of_frame(const FrameBuffer& frame) {
   XXH64_hash_t hash = 0;
   for (int y = 0; y < height; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * frame.row_pitch();
@@ -160,7 +160,7 @@ class SceneRun {
     renderer->render(plan, pixels);
     Result drawn = result(("depth as " + std::string(name_of(format))).c_str(), "host");
     drawn.figures = figures_of(compare_with_fp64(scene, plan, pixels, reference::shown_pixels(plan), Truth::on_grid));
-    drawn.hash = hash_of(pixels);
+    drawn.hash = hash_of_frame(pixels);
     drawn.timings.push_back(timed([&] { renderer->render(plan, pixels); }, "host"));
     report_.results.push_back(std::move(drawn));
   }
@@ -170,7 +170,7 @@ class SceneRun {
     renderer.render(plan, pixels);
     Result drawn = result(name, where == std::string("host") ? "host" : "device");
     drawn.figures = figures_of(compare_with_fp64(test_.scene, plan_, pixels, shown_, Truth::on_grid));
-    drawn.hash = hash_of(pixels);
+    drawn.hash = hash_of_frame(pixels);
     if (report_.results.empty() || report_.results.back().family != test_.family.name)
       host_hash_ = drawn.hash;
     else

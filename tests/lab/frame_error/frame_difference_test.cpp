@@ -18,11 +18,11 @@ namespace {
 using test::compare_frame;
 using test::SceneBuilder;
 
-constexpr int width = 160, height = 90;
+constexpr int squares_width = 160, squares_height = 90;
 
 // Two squares that fill a part of the picture, one behind the other.
 SceneBuilder two_squares() {
-  SceneBuilder b(width, height);
+  SceneBuilder b(squares_width, squares_height);
   Mesh square;
   square.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -68,7 +68,8 @@ TEST(FrameDifference, AnotherColorIsReportedOfItsObject) {
 TEST(FrameDifference, AnotherPlaceIsReportedAsOutline) {
   SceneBuilder b = two_squares();
   Scene drawn = b.scene();
-  drawn.timeline.nodes[0].static_transform[3][0] += 2.0 * 3 / (height * 2.414213562);  // one pixel at distance 3
+  drawn.timeline.nodes[0].static_transform[3][0] +=
+      2.0 * 3 / (squares_height * 2.414213562);  // one pixel at distance 3
   const FrameDifference d = compare_frame(b.scene(), drawn, 0);
   // A column on the left against the background, one on the right against the square behind.
   EXPECT_GT(d.total.outline, 40u);
@@ -90,7 +91,7 @@ TEST(FrameDifference, AnotherDepthOrderIsReportedWithItsGap) {
 }
 
 TEST(FrameDifference, AMatrixEntryWrongByOnePartIn100000IsFound) {
-  const Scene scene = test::pyramid_to_cube(width, height);
+  const Scene scene = test::pyramid_to_cube(squares_width, squares_height);
   const FrameDifference right = compare_frame(scene, scene, 0);
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) {
@@ -104,7 +105,7 @@ TEST(FrameDifference, AMatrixEntryWrongByOnePartIn100000IsFound) {
 }
 
 TEST(FrameDifference, TheGridIsTheOnlyDifferenceOfTheTwoTruths) {
-  const Scene scene = test::pyramid_to_cube(width, height);
+  const Scene scene = test::pyramid_to_cube(squares_width, squares_height);
   const FrameDifference grid = compare_frame(scene, scene, 50),
                         truth = compare_frame(scene, scene, 50, Truth::true_geometry);
   EXPECT_GT(truth.total.depth.arithmetic.rms(), 4 * grid.total.depth.arithmetic.rms());
@@ -113,7 +114,7 @@ TEST(FrameDifference, TheGridIsTheOnlyDifferenceOfTheTwoTruths) {
 }
 
 TEST(FrameDifference, PicturesWithoutColorOrDepthAreComparedByWhatTheyHave) {
-  Scene scene = test::pyramid_to_cube(width, height);
+  Scene scene = test::pyramid_to_cube(squares_width, squares_height);
   scene.image.color = false;
   const FrameDifference depth_only = compare_frame(scene, scene, 0);
   EXPECT_EQ(depth_only.total.color.all.count, 0u);
@@ -135,7 +136,7 @@ TEST(FrameDifference, InfiniteColorsAreEqualToInfiniteColors) {
 
 // A sphere on springs that is still on its way to a cube: neither render may show where the morph alone would be.
 TEST(FrameDifference, ElasticObjectsAreComparedInTheShapeTheyHave) {
-  SceneBuilder b(width, height);
+  SceneBuilder b(squares_width, squares_height);
   b.add(make_sphere_to_cube({12, 6}), Shading::flat);
   Timeline& timeline = b.look({1.6, 1.3, 2.8}).scene().timeline;
   const auto ticks = [&](std::int64_t frame) { return timeline.time.frame_ticks(frame); };

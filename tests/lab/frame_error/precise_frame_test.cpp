@@ -13,7 +13,7 @@ namespace {
 using Quad = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
 using test::SceneBuilder;
 
-constexpr int width = 64, height = 36;
+constexpr int plane_width = 64, plane_height = 36;
 const Quad tiny = ldexp(Quad(1), -100);  // some roundings of 2^-113, amplified by the slant of the planes
 
 // A large triangle through `at` that faces the camera at the origin, looking down -z; colours grow along x and y.
@@ -27,7 +27,7 @@ Mesh slanted_plane() {
 }
 
 Scene plane_scene(const Projection& projection, Shading shading) {
-  SceneBuilder b(width, height);
+  SceneBuilder b(plane_width, plane_height);
   b.add(slanted_plane(), shading, glm::dmat4(1), {1, 0.5, 0.25, 1});
   b.no_lights().point_light({0.5, 1, -1}, {2, 3, 4}, true).scene().timeline.ambient = {0.125, 0.125, 0.125};
   return b.look({0, 0, 0}, {0, 0, -1}).project(projection).scene();
@@ -38,11 +38,11 @@ struct Ray {
 };
 
 Ray ray_of(const Projection& projection, int x, int y) {
-  const Quad u = Quad(2 * x + 1) / width - 1, v = 1 - Quad(2 * y + 1) / height;
-  const glm::dmat4 m = projection_matrix(projection, double(width) / height);
+  const Quad across = Quad(2 * x + 1) / plane_width - 1, up = 1 - Quad(2 * y + 1) / plane_height;
+  const glm::dmat4 m = projection_matrix(projection, double(plane_width) / plane_height);
   if (std::holds_alternative<Orthographic>(projection))
-    return {{(u - Quad(m[3][0])) / Quad(m[0][0]), (v - Quad(m[3][1])) / Quad(m[1][1]), 0}, {0, 0, -1}};
-  return {{0, 0, 0}, {(u + Quad(m[2][0])) / Quad(m[0][0]), (v + Quad(m[2][1])) / Quad(m[1][1]), -1}};
+    return {{(across - Quad(m[3][0])) / Quad(m[0][0]), (up - Quad(m[3][1])) / Quad(m[1][1]), 0}, {0, 0, -1}};
+  return {{0, 0, 0}, {(across + Quad(m[2][0])) / Quad(m[0][0]), (up + Quad(m[2][1])) / Quad(m[1][1]), -1}};
 }
 
 struct Point {
@@ -72,17 +72,17 @@ TEST(PreciseFrame, PlanesLieWhereTheRaysMeetThem) {
     const PreciseFrame<TrueGeometry<Quad>> frame(scene, 0);
     const auto visible = frame.find_visible();
     int covered = 0;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < plane_height; ++y)
+      for (int x = 0; x < plane_width; ++x) {
         const Point truth = meet(ray_of(projection, x, y));
         const bool inside = truth.weight.x > 0 && truth.weight.y > 0 && truth.weight.z > 0;
-        const Visible<Quad>& shown = visible[static_cast<std::size_t>(y) * width + x];
+        const Visible<Quad>& shown = visible[static_cast<std::size_t>(y) * plane_width + x];
         ASSERT_EQ(shown.object, inside ? 0u : no_object) << x << ", " << y;
         if (!inside) continue;
         ++covered;
         ASSERT_LE(abs(shown.distance + truth.position.z), tiny * abs(truth.position.z)) << x << ", " << y;
       }
-    EXPECT_GT(covered, width * height / 2);
+    EXPECT_GT(covered, plane_width * plane_height / 2);
   }
 }
 
@@ -91,8 +91,8 @@ TEST(PreciseFrame, LitAndColoredAsTheFormulaSays) {
   for (const Projection& projection : projections) {
     const Scene scene = plane_scene(projection, Shading::smooth);
     const PreciseFrame<TrueGeometry<Quad>> frame(scene, 0);
-    for (int y = 0; y < height; y += 5)
-      for (int x = 0; x < width; x += 5) {
+    for (int y = 0; y < plane_height; y += 5)
+      for (int x = 0; x < plane_width; x += 5) {
         const auto hit = frame.hit(0, 0, x, y);
         if (!hit) continue;
         const Point truth = meet(ray_of(projection, x, y));
@@ -116,13 +116,14 @@ TEST(PreciseFrame, ClippingLeavesWhatLiesBetweenNearAndFar) {
   const PreciseFrame<TrueGeometry<Quad>> frame(scene, 0);
   const auto visible = frame.find_visible();
   int covered = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < plane_height; ++y)
+    for (int x = 0; x < plane_width; ++x) {
       const Point truth = meet(ray_of(projection, x, y));
       const Quad distance = -truth.position.z;
       const bool inside =
           truth.weight.x > 0 && truth.weight.y > 0 && truth.weight.z > 0 && distance > 4 && distance < 7;
-      ASSERT_EQ(visible[static_cast<std::size_t>(y) * width + x].object, inside ? 0u : no_object) << x << ", " << y;
+      ASSERT_EQ(visible[static_cast<std::size_t>(y) * plane_width + x].object, inside ? 0u : no_object)
+          << x << ", " << y;
       covered += inside;
     }
   EXPECT_GT(covered, 100);
@@ -131,19 +132,20 @@ TEST(PreciseFrame, ClippingLeavesWhatLiesBetweenNearAndFar) {
 // Corners on pixel centres and on whole sub-pixels: two triangles that share their diagonal cover the square half-open.
 template <class Geometry>
 void expect_square(const Geometry&) {
-  SceneBuilder b(width, height);
+  SceneBuilder b(plane_width, plane_height);
   Mesh square;
   square.positions = {{8.5f, 4.5f, -1}, {24.5f, 4.5f, -1}, {24.5f, 20.5f, -1}, {8.5f, 20.5f, -1}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   b.add(square, Shading::unlit, glm::dmat4(1), {1, 1, 1, 1}, true);
-  b.look({0, 0, 0}, {0, 0, -1}).project(Orthographic{0, width, 0, height, 0, 2});
+  b.look({0, 0, 0}, {0, 0, -1}).project(Orthographic{0, plane_width, 0, plane_height, 0, 2});
   const PreciseFrame<Geometry> frame(b.scene(), 0);
   const auto visible = frame.find_visible();
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < plane_height; ++y)
+    for (int x = 0; x < plane_width; ++x) {
       // Rows count from the top: the centre of row y lies at height - 0.5 - y. Top and left edges own their centres.
-      const bool inside = x >= 8 && x < 24 && y >= height - 21 && y < height - 5;
-      EXPECT_EQ(visible[static_cast<std::size_t>(y) * width + x].object, inside ? 0u : no_object) << x << ", " << y;
+      const bool inside = x >= 8 && x < 24 && y >= plane_height - 21 && y < plane_height - 5;
+      EXPECT_EQ(visible[static_cast<std::size_t>(y) * plane_width + x].object, inside ? 0u : no_object)
+          << x << ", " << y;
     }
 }
 
@@ -154,25 +156,25 @@ TEST(PreciseFrame, EdgesBelongToTheTopAndLeft) {
 }
 
 TEST(PreciseFrame, LinesTakeOnePixelAColumn) {
-  SceneBuilder b(width, height);
+  SceneBuilder b(plane_width, plane_height);
   Mesh line;
   line.positions = {{2.5f, 3.5f, -1}, {42.5f, 13.5f, -1}};
   line.edges = {{0, 1}};
   b.add(line, Shading::wireframe);
-  b.look({0, 0, 0}, {0, 0, -1}).project(Orthographic{0, width, 0, height, 0, 2});
+  b.look({0, 0, 0}, {0, 0, -1}).project(Orthographic{0, plane_width, 0, plane_height, 0, 2});
   const PreciseFrame<OnGrid<double>> frame(b.scene(), 0);
   const auto visible = frame.find_visible();
-  for (int x = 0; x < width; ++x) {
+  for (int x = 0; x < plane_width; ++x) {
     int shown = 0, row = -1;
-    for (int y = 0; y < height; ++y)
-      if (visible[static_cast<std::size_t>(y) * width + x].object != no_object) {
+    for (int y = 0; y < plane_height; ++y)
+      if (visible[static_cast<std::size_t>(y) * plane_width + x].object != no_object) {
         ++shown;
         row = y;
       }
     ASSERT_EQ(shown, x >= 2 && x < 42 ? 1 : 0) << "column " << x;
     // At x + 0.5 the line is 3.5 + (x - 2) / 4 above the lower edge.
     if (shown != 1) continue;
-    EXPECT_EQ(row, static_cast<int>(std::floor(height - 3.5 - (x - 2) / 4.0))) << "column " << x;
+    EXPECT_EQ(row, static_cast<int>(std::floor(plane_height - 3.5 - (x - 2) / 4.0))) << "column " << x;
   }
 }
 

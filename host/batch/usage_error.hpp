@@ -1,0 +1,12 @@
+// The error of a call whose arguments do not fit together.
+#pragma once
+
+#include <string>
+
+#include "host/error.hpp"
+
+namespace morphcl {
+
+inline Error usage_error(const std::string& message) { return Error(ErrorKind::usage, "", message); }
+
+}  // namespace morphcl
