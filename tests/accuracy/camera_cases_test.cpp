@@ -82,7 +82,7 @@ TEST(ExtremeCase, FrustumPlanesNearTheLargestFloat) {
 // The shift of what lies z behind the plane, from an angle: rounding of the angle's own fp64 is all that may show.
 TEST(ExtremeCase, ObliqueAngleSmall) {
   Worst stable, naive_form;
-  const Real pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   for (const float beta : {1.0f, 1.5f, 10.0f, 45.0f, 63.43495f, 89.0f}) {
     const float z = 100;
     const Real radians = Real(beta) * pi / 180, sine = sin(radians), shift = z * cos(radians) / sine;

@@ -1,7 +1,9 @@
 // Catalogue of extreme cases: clipping, snapping, coverage and normals, by the renderers' own arithmetic (the plain
 // loops that every device equals bit for bit).
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 #include "host/error.hpp"
 #include "host/geometry/solids.hpp"
@@ -32,6 +34,9 @@ FramePlan perspective_plan(int width, int height) {
   plan.height = height;
   return plan;
 }
+
+// For comparisons bit by bit, in which -0 is not +0.
+std::array<std::uint32_t, 4> bits_of(const ClipPoint& p) { return std::bit_cast<std::array<std::uint32_t, 4>>(p); }
 
 Corner corner(const glm::vec4& clip) { return {{clip.x, clip.y, clip.z, clip.w}, {0, 0, 0}}; }
 glm::vec4 any_clip_point(Random& random, double low_w, double high_w) {
@@ -79,7 +84,7 @@ TEST(ExtremeCase, NearClipping) {
     stable.add_exact(forward.size() == backward.size());
     if (forward.size() != 2 || backward.size() != 2) continue;
     ++cut;
-    stable.add_exact(std::memcmp(&forward[1].clip, &backward[0].clip, sizeof(ClipPoint)) == 0);
+    stable.add_exact(bits_of(forward[1].clip) == bits_of(backward[0].clip));
     stable.add_exact(forward[1].clip.w >= plan.near_w);
     const bool inside_guard = std::abs(outer.x) < 0.02f && std::abs(outer.y) < 0.02f;
     if (inside_guard) stable.add_exact(forward[1].clip.w == plan.near_w);
