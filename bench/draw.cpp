@@ -62,8 +62,13 @@ void run(const Options& options) {
     renderer->render(plan, frame);
     times.finish_step();
   }
-  const PictureView picture{frame.color(0),         frame.color(3),    subject.figures.width,
-                            subject.figures.height, frame.row_pitch(), 1};
+  const std::size_t row_pitch = frame.row_bytes() / sizeof(std::uint16_t);
+  const PictureView picture{frame.color_row(0, 0).data(),
+                            frame.color_row(3, 0).data(),
+                            subject.figures.width,
+                            subject.figures.height,
+                            row_pitch,
+                            1};
   print_report("morphcl", session->info().platform, subject.figures, session_options.threads, times,
                picture_figures(picture));
 }

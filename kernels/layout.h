@@ -111,7 +111,8 @@ typedef struct {
   float slant[2];
   int width, height;
   int tiles_x, tiles_y;
-  uint row_pitch;          // elements of an image row
+  uint row_bytes;          // from one row of the picture to the next
+  uint color_offset[4], depth_offset;  // bytes from the start of a row to R, G, B, A and to the distances in it
   uint tile_step;          // tiles are walked in steps of this, coprime to their number, to spread the load
   uint parallel;
   uint light_count, has_point_lights;

@@ -2,14 +2,14 @@
 // shade_tiles: what is visible at each pixel, its colour and its distance.
 //
 // In:  the chunks' bins, vertices, attributes, colours, face colours, clipped corners, draws, lights.
-// Out: planes of half R, G, B, A (premultiplied) and float Z, rows of row_pitch elements;
+// Out: rows of half R, G, B, A (premultiplied) and float Z, row_bytes from one to the next, the first of tile first_tile;
 //      blank_blocks[tile]: bit b set when block b of the tile holds the background, for the next frame to leave as it is.
 // Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle that
 //   covers a block in front of all it holds replaces the block by a note (hierarchical depth); 4 shade each visible
 //   sample once, 16 pixels of a row at a time, and store.
 // A sample keeps the greatest depth, of equal ones the lowest id, so the order of merging does not matter. Where the plan
 // proved that no sample is covered twice, samples are placed without being compared.
-// One work-item draws a tile.
+// One work-item draws a tile. A launch draws a band of the picture: whole rows of tiles from first_tile on.
 
 #include "layout.h"
 #include "vector.h"
@@ -21,10 +21,24 @@
 
 // ---- pixels ---------------------------------------------------------------------------------------------------------
 
+// The tile's pixels.
 typedef struct {
-  global half *red, *green, *blue, *alpha;
-  global float* distance;
+  global uchar *red, *green, *blue, *alpha, *distance;  // of the first pixel
+  size_t row_bytes;
 } Picture;
+
+ALWAYS_INLINE Picture picture_of_tile(constant const FrameConstants* frame, global uchar* band, int x,
+                                      int row_of_band) {
+  global uchar* row = band + (size_t)row_of_band * frame->row_bytes;
+  Picture picture;
+  picture.red = row + frame->color_offset[0] + x * sizeof(half);
+  picture.green = row + frame->color_offset[1] + x * sizeof(half);
+  picture.blue = row + frame->color_offset[2] + x * sizeof(half);
+  picture.alpha = row + frame->color_offset[3] + x * sizeof(half);
+  picture.distance = row + frame->depth_offset + x * sizeof(float);
+  picture.row_bytes = frame->row_bytes;
+  return picture;
+}
 
 // Sixteen halves, rounded to nearest even. Where the processor converts a whole vector it is asked to: vstore_half16 goes
 // by halves of vectors.
@@ -54,11 +68,12 @@ ALWAYS_INLINE RowColor row_color(Irradiance color, float16 alpha) {
 }
 
 // Two neighbours at a time: what goes past the cache should fill its lines, of 64 bytes on most processors.
-ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global half* out) {
+ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global uchar* out) {
   STORE_PAST_CACHE((ulong8)(as_ulong4(left), as_ulong4(right)), (global ulong8*)out);
 }
 
-ALWAYS_INLINE void store_colors(RowColor left, RowColor right, Picture picture, size_t at) {
+ALWAYS_INLINE void store_colors(RowColor left, RowColor right, Picture picture, int first, int row) {
+  const size_t at = row * picture.row_bytes + first * sizeof(half);
   store_line(left.red, right.red, picture.red + at);
   store_line(left.green, right.green, picture.green + at);
   store_line(left.blue, right.blue, picture.blue + at);
@@ -118,11 +133,12 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
     distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
   }
   if (s->frame->writes_depth)
-    STORE_PAST_CACHE(distance, (global float16*)(picture.distance + (size_t)p.y * s->frame->row_pitch + p.x));
+    STORE_PAST_CACHE(distance, (global float16*)(picture.distance + row * picture.row_bytes + first * sizeof(float)));
   return row_color(color, alpha);
 }
 
-COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restrict frame,
+COMPILED_ONCE void shade_tile(uint place, uint first_tile, uint band_tiles,
+                              constant const FrameConstants* restrict frame,
                               global const DrawConstants* restrict draws, global const uint* restrict block_draw,
                               global const uint* restrict indices, global const LightConstants* restrict lights,
                               global const int4* restrict vertices, global const int4* restrict attributes,
@@ -133,12 +149,11 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
                               global const ushort* restrict fragment_places, global const uint* restrict entry_heads,
                               global const uint* restrict entry_next, global const uint* restrict entry_triangles,
                               global const LargeTriangle* restrict large, global const uint* restrict overflow,
-                              global half* restrict red, global half* restrict green, global half* restrict blue,
-                              global half* restrict alpha, global float* restrict distance,
-                              global uint* restrict blank_blocks, local Depths* tile_depths, local uint16* tile_ids) {
+                              global uchar* restrict band, global uint* restrict blank_blocks,
+                              local Depths* tile_depths, local uint16* tile_ids) {
   if (*overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint tiles = (uint)(frame->tiles_x * frame->tiles_y), chunks = frame->chunk_count;
-  const uint number = (place * frame->tile_step) % tiles;
+  const uint number = first_tile + place * frame->tile_step % band_tiles;
   Tile tile;
   tile.depth = tile_depths;
   tile.id = tile_ids;
@@ -187,7 +202,7 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
       }
     }
   // What the next work-item begins with.
-  const uint next_number = (place + 1) * frame->tile_step % tiles;
+  const uint next_number = first_tile + (place + 1) * frame->tile_step % band_tiles;
   for (uint chunk = 0; chunk < chunks; chunk++) {
     const uint head = entry_heads[(size_t)chunk * tiles + next_number];
     global const uint* entries = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
@@ -217,7 +232,8 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
   shader.clipped = 0;
   if (frame->clips)
     for (uint chunk = 0; chunk < chunks; chunk++) shader.clipped += status[chunk].clipped;
-  const Picture picture = {red, green, blue, alpha, distance};
+  const int first_row_of_band = (int)(first_tile / (uint)frame->tiles_x) * TILE;
+  const Picture picture = picture_of_tile(frame, band, tile.x, tile.y - first_row_of_band);
   Column columns[TILE / TILE_BLOCK];
   for (int i = 0; i < TILE / TILE_BLOCK; i++) columns[i].surface_id = NO_ID;
 
@@ -232,7 +248,7 @@ COMPILED_ONCE void shade_tile(uint place, constant const FrameConstants* restric
         if (left_as_it_is >> (first_block + (i & ~1)) & 1u) continue;
         const RowColor color = shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, picture);
         if (i & 1 && frame->writes_color)
-          store_colors(left, color, picture, (size_t)(tile.y + row) * frame->row_pitch + tile.x + (i - 1) * TILE_BLOCK);
+          store_colors(left, color, picture, (i - 1) * TILE_BLOCK, row);
         left = color;
       }
   }
@@ -247,11 +263,10 @@ kernel void shade_tiles(constant const FrameConstants* frame, global const DrawC
                         global const ulong* fragment_keys, global const ushort* fragment_places,
                         global const uint* entry_heads, global const uint* entry_next,
                         global const uint* entry_triangles, global const LargeTriangle* large,
-                        global const uint* overflow, global half* red, global half* green, global half* blue,
-                        global half* alpha, global float* distance, global uint* blank_blocks,
+                        global const uint* overflow, uint first_tile, global uchar* band, global uint* blank_blocks,
                         local Depths* tile_depths, local uint16* tile_ids) {
-  shade_tile((uint)get_global_id(0), frame, draws, block_draw, indices, lights, vertices, attributes, colors,
-             face_color, clip_source, clip_weights, status, fragment_heads, fragment_next, fragment_keys,
-             fragment_places, entry_heads, entry_next, entry_triangles, large, overflow, red, green, blue, alpha,
-             distance, blank_blocks, tile_depths, tile_ids);
+  shade_tile((uint)get_global_id(0), first_tile, (uint)get_global_size(0), frame, draws, block_draw, indices, lights,
+             vertices, attributes, colors, face_color, clip_source, clip_weights, status, fragment_heads,
+             fragment_next, fragment_keys, fragment_places, entry_heads, entry_next, entry_triangles, large, overflow,
+             band, blank_blocks, tile_depths, tile_ids);
 }

@@ -52,14 +52,13 @@ std::size_t pixel_bytes(const FrameBuffer& frame) {
 // The bytes of a chunk in the file's order, one after the other.
 Bytes plain_chunk(const FrameBuffer& frame, int first_line) {
   Bytes bytes;
-  const auto append = [&](const auto* row) {
-    const auto* const first = reinterpret_cast<const std::uint8_t*>(row);
-    bytes.insert(bytes.end(), first, first + static_cast<std::size_t>(frame.width()) * sizeof *row);
+  const auto append = [&](const auto& row) {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(row.data());
+    bytes.insert(bytes.end(), first, first + row.size_bytes());
   };
   for (int y = first_line; y < std::min(first_line + zip_chunk_lines, frame.height()); ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * frame.row_pitch();
-    for (const int plane : {3, 2, 1, 0}) append(frame.color(plane) + row);
-    if (frame.has_depth()) append(frame.depth() + row);
+    for (const int channel : {3, 2, 1, 0}) append(frame.color_row(channel, y));
+    if (frame.has_depth()) append(frame.depth_row(y));
   }
   return bytes;
 }
@@ -94,10 +93,11 @@ std::unique_ptr<FrameBuffer> noise(bool depth) {
   auto frame = std::make_unique<FrameBuffer>(width, height, true, depth);
   std::uint64_t state = 1;
   const auto next = [&state] { return (state = state * 6364136223846793005u + 1442695040888963407u) >> 33; };
-  for (int channel = 0; channel < 4; ++channel)
-    for (std::size_t i = 0; i < frame->plane_elements(); ++i)
-      frame->color(channel)[i] = static_cast<std::uint16_t>(next() & 0x3fff);
-  for (std::size_t i = 0; depth && i < frame->plane_elements(); ++i) frame->depth()[i] = static_cast<float>(next());
+  for (int y = 0; y < height; ++y) {
+    for (int channel = 0; channel < 4; ++channel)
+      for (std::uint16_t& value : frame->color_row(channel, y)) value = static_cast<std::uint16_t>(next() & 0x3fff);
+    for (float& value : frame->depth_row(y)) value = static_cast<float>(next());
+  }
   return frame;
 }
 

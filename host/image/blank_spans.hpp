@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/image/frame_buffer.hpp"
@@ -23,12 +24,12 @@ extern const std::array<float, blank_pixels> blank_depth;
 // Replaces `spans` by those of the lines of a row of blocks (FrameBuffer::block_side lines each).
 void find_spans(std::vector<PixelSpan>& spans, const FrameBuffer& frame, int block_y);
 
-// The pixels of a span of the line that starts at `row`.
-inline const std::uint16_t* span_pixels(const std::uint16_t* row, const PixelSpan& span) {
-  return span.blank ? blank_color.data() : row + span.first;
+// The pixels of a span of the line `row`.
+inline const std::uint16_t* span_pixels(std::span<const std::uint16_t> row, const PixelSpan& span) {
+  return span.blank ? blank_color.data() : row.data() + span.first;
 }
-inline const float* span_pixels(const float* row, const PixelSpan& span) {
-  return span.blank ? blank_depth.data() : row + span.first;
+inline const float* span_pixels(std::span<const float> row, const PixelSpan& span) {
+  return span.blank ? blank_depth.data() : row.data() + span.first;
 }
 
 }  // namespace morphcl

@@ -8,15 +8,15 @@ template <class Frame>
 Imf::FrameBuffer slices_on(Frame& frame, int first_x, int first_y) {
   const Imath::Box2i window({first_x, first_y}, {first_x + frame.width() - 1, first_y + frame.height() - 1});
   Imf::FrameBuffer slices;
-  const auto insert = [&](const char* name, Imf::PixelType type, const auto* plane, double missing) {
+  const auto insert = [&](const char* name, Imf::PixelType type, auto first_row, double missing) {
     slices.insert(
-        name, Imf::Slice::Make(type, plane, window, sizeof *plane, frame.row_pitch() * sizeof *plane, 1, 1, missing));
+        name, Imf::Slice::Make(type, first_row.data(), window, sizeof first_row[0], frame.row_bytes(), 1, 1, missing));
   };
   if (frame.has_color())
     for (int channel = 0; channel < 4; ++channel)
-      insert(color_channel_names[static_cast<std::size_t>(channel)], Imf::HALF, frame.color(channel),
+      insert(color_channel_names[static_cast<std::size_t>(channel)], Imf::HALF, frame.color_row(channel, 0),
              channel == 3 ? 1.0 : 0.0);
-  if (frame.has_depth()) insert(depth_channel_name, Imf::FLOAT, frame.depth(), 0.0);
+  if (frame.has_depth()) insert(depth_channel_name, Imf::FLOAT, frame.depth_row(0), 0.0);
   return slices;
 }
 

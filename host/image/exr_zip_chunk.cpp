@@ -12,7 +12,7 @@ namespace {
 
 static_assert(FrameBuffer::block_side == zip_chunk_lines, "a chunk is a row of blocks");
 
-constexpr std::array<int, 4> alphabetical_planes{3, 2, 1, 0};  // A B G R of FrameBuffer's R G B A
+constexpr std::array<int, 4> alphabetical_channels{3, 2, 1, 0};  // A B G R of FrameBuffer's R G B A
 
 }  // namespace
 
@@ -33,28 +33,25 @@ void ExrZipChunks::begin(const FrameBuffer& frame) {
 void ExrZipChunks::prepare(int first_line, int lines) {
   ExrByteSplit split(prepared_.data(), line_bytes(*frame_) * static_cast<std::size_t>(lines));
   for (int y = first_line; y < first_line + lines; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * frame_->row_pitch();
     if (frame_->has_color())
-      for (const int plane : alphabetical_planes)
-        for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->color(plane) + row, span), span.count);
+      for (const int channel : alphabetical_channels)
+        for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->color_row(channel, y), span), span.count);
     if (frame_->has_depth())
-      for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->depth() + row, span), 2 * span.count);
+      for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->depth_row(y), span), 2 * span.count);
   }
   split.finish();
 }
 
 void ExrZipChunks::store(int first_line, int lines) {
   std::uint8_t* out = data_.data();
-  const auto append = [&](const auto* line) {
-    const std::size_t bytes = static_cast<std::size_t>(frame_->width()) * sizeof *line;
-    std::memcpy(out, line, bytes);
-    out += bytes;
+  const auto append = [&](const auto& line) {
+    std::memcpy(out, line.data(), line.size_bytes());
+    out += line.size_bytes();
   };
   for (int y = first_line; y < first_line + lines; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * frame_->row_pitch();
     if (frame_->has_color())
-      for (const int plane : alphabetical_planes) append(frame_->color(plane) + row);
-    if (frame_->has_depth()) append(frame_->depth() + row);
+      for (const int channel : alphabetical_channels) append(frame_->color_row(channel, y));
+    if (frame_->has_depth()) append(frame_->depth_row(y));
   }
 }
 

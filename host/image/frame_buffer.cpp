@@ -23,7 +23,7 @@ void* map(std::size_t bytes) {
   return memory;
 }
 
-// First touch of a plane costs more than drawing it where the kernel hands out 4 KB at a time.
+// First touch of a frame costs more than drawing it where the kernel hands out 4 KB at a time.
 char* map_huge(std::size_t bytes) {
   char* memory = static_cast<char*>(map(bytes + huge_page_bytes));
   const std::size_t skip = huge_page_bytes - reinterpret_cast<std::uintptr_t>(memory) % huge_page_bytes;
@@ -35,38 +35,39 @@ char* map_huge(std::size_t bytes) {
 
 }  // namespace
 
-void FrameBuffer::Unmap::operator()(void* plane) const { munmap(plane, bytes); }
+void FrameBuffer::Unmap::operator()(void* memory) const { munmap(memory, bytes); }
 
 template <class T>
-std::unique_ptr<T[], FrameBuffer::Unmap> FrameBuffer::map_plane(std::size_t elements) {
-  const std::size_t bytes = round_up(elements * sizeof(T), page_bytes);
-  void* plane = bytes >= huge_page_bytes ? map_huge(bytes) : map(bytes);
-  return std::unique_ptr<T[], Unmap>(static_cast<T*>(plane), Unmap{bytes});
+std::unique_ptr<T[], FrameBuffer::Unmap> FrameBuffer::map_memory(std::size_t bytes) {
+  if (bytes == 0) return nullptr;
+  const std::size_t mapped = round_up(bytes, page_bytes);
+  void* memory = mapped >= huge_page_bytes ? map_huge(mapped) : map(mapped);
+  return std::unique_ptr<T[], Unmap>(static_cast<T*>(memory), Unmap{mapped});
 }
 
-FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth) : width_(width), height_(height) {
+FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
+    : width_(width), height_(height), has_color_(color), has_depth_(depth) {
   if (width < 1 || height < 1 || width > max_side || height > max_side)
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("an image of {} x {} pixels; 1 to {} a side are possible", width, height, max_side));
-  row_pitch_ = round_up(static_cast<std::size_t>(width), tile_side);
-  padded_rows_ = round_up(static_cast<std::size_t>(height), tile_side);
-  if (color)
-    for (auto& plane : color_) plane = map_plane<std::uint16_t>(plane_elements());
-  if (depth) depth_ = map_plane<float>(plane_elements());
-  blank_blocks_ = map_plane<std::uint32_t>(static_cast<std::size_t>(tiles_x()) * tiles_y());
+  const auto tiles = [](int pixels) { return static_cast<int>((pixels + tile_side - 1) / tile_side); };
+  tiles_x_ = tiles(width);
+  tiles_y_ = tiles(height);
+  row_bytes_ = padded_width() * ((color ? 4 * sizeof(std::uint16_t) : 0) + (depth ? sizeof(float) : 0));
+  memory_ = map_memory<std::byte>(bytes());
+  blank_blocks_ = map_memory<std::uint32_t>(static_cast<std::size_t>(tiles_x_) * tiles_y_ * sizeof(std::uint32_t));
 }
 
-FrameBuffer::Planes FrameBuffer::planes() {
+FrameBuffer::Memory FrameBuffer::memory() {
   const bool notes_hold = any_blank_;
-  const std::size_t tiles = static_cast<std::size_t>(tiles_x()) * tiles_y();
+  const std::size_t tiles = static_cast<std::size_t>(tiles_x_) * tiles_y_;
   // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
   if (!notes_hold) std::fill_n(blank_blocks_.get(), tiles, 0u);
   any_blank_ = true;
-  return {{color_[0].get(), color_[1].get(), color_[2].get(), color_[3].get()},
-          depth_.get(),
-          blank_blocks_.get(),
-          tiles,
-          notes_hold};
+  return {memory_.get(),  row_bytes_,
+          bytes(),        {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
+          depth_offset(), blank_blocks_.get(),
+          tiles,          notes_hold};
 }
 
 }  // namespace morphcl

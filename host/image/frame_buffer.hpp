@@ -1,10 +1,13 @@
-// A rendered frame in host memory: planar half R, G, B, A and float Z.
+// A rendered frame in host memory: half R, G, B, A and float Z, row after row from the top.
 //
-// Rows run from top to bottom; row y starts at element y * row_pitch(). row_pitch is the width rounded up to whole
-// tiles (64 pixels) and rows are rounded up likewise, so that kernels store whole vectors; what lies outside width x
-// height is padding without meaning. Planes start on a page (planes of 2 MB and more on a huge page) so that OpenCL can
-// use them in place. Every element is 0 until it is written, and memory is only taken where something was written.
-// Planes that were not asked for are not allocated.
+// One piece of memory holds the whole frame. A row of the picture is a row of each channel, one after the other, as in
+// a scan line of an EXR file: R, G, B, A, then Z, of which those that were not asked for are left out. Any number of
+// channels fits this, and some rows of the picture are one contiguous piece, which can be handed to a device that does
+// not take the whole at once. The next row starts row_bytes() further on. What lies in a row behind a channel's width()
+// elements is padding without meaning, as are rows below the picture: both are rounded up to whole tiles (64 pixels),
+// so that kernels store whole vectors. Every row of every channel starts on a cache line, and the frame on a page (one
+// of 2 MB and more on a huge page), so that OpenCL can use it in place. Every element is 0 until it is written, and
+// memory is only taken where something was written.
 //
 // The frame knows which of its tiles are blank (background everywhere), so that a renderer need not write them again
 // and an encoder need not look at them.
@@ -13,12 +16,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace morphcl {
 
 class FrameBuffer {
  public:
-  // Pixels a side. A plane of the largest frame holds 2^30 elements.
+  // Pixels a side. A channel of the largest frame holds 2^30 elements.
   static constexpr int max_side = 32768;
 
   // Error(bad_input) for a side outside 1..max_side, Error(internal) when the memory cannot be had.
@@ -26,28 +30,43 @@ class FrameBuffer {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  std::size_t row_pitch() const { return row_pitch_; }
-  std::size_t plane_elements() const { return row_pitch_ * padded_rows_; }
-  bool has_color() const { return color_[0] != nullptr; }
-  bool has_depth() const { return depth_ != nullptr; }
+  bool has_color() const { return has_color_; }
+  bool has_depth() const { return has_depth_; }
 
-  // channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE binary16. Colour is premultiplied by alpha. Whoever can write to a
-  // plane may: no tile counts as blank from then on.
-  std::uint16_t* color(int channel) {
+  // The width() pixels of row y (0..height() - 1, 0 at the top) in one channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE
+  // binary16. Colour is premultiplied by alpha. Empty when the frame has no colour. Whoever can write may: no tile
+  // counts as blank from then on.
+  std::span<std::uint16_t> color_row(int channel, int y) {
     forget_blank_tiles();
-    return color_[channel].get();
+    return row<std::uint16_t>(has_color_, y, color_offset(channel));
   }
-  const std::uint16_t* color(int channel) const { return color_[channel].get(); }
-  // Positive distance along the view axis; background 1e10.
-  float* depth() {
+  std::span<const std::uint16_t> color_row(int channel, int y) const {
+    return row<std::uint16_t>(has_color_, y, color_offset(channel));
+  }
+  // The same of the positive distance along the view axis; background 1e10.
+  std::span<float> depth_row(int y) {
     forget_blank_tiles();
-    return depth_.get();
+    return row<float>(has_depth_, y, depth_offset());
   }
-  const float* depth() const { return depth_.get(); }
+  std::span<const float> depth_row(int y) const { return row<float>(has_depth_, y, depth_offset()); }
 
-  // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour plane and the background's depth.
-  int tiles_x() const { return static_cast<int>(row_pitch_ / tile_side); }
-  int tiles_y() const { return static_cast<int>(padded_rows_ / tile_side); }
+  // The memory itself: pixel (x, y) of a channel is at byte y * row_bytes() + its offset + x * its element's size. Null
+  // in a frame without channels. bytes() counts the padding, of rows below the picture too.
+  std::byte* data() {
+    forget_blank_tiles();
+    return memory_.get();
+  }
+  const std::byte* data() const { return memory_.get(); }
+  std::size_t row_bytes() const { return row_bytes_; }
+  std::size_t bytes() const { return row_bytes_ * padded_rows(); }
+  std::size_t color_offset(int channel) const {
+    return static_cast<std::size_t>(channel) * padded_width() * sizeof(std::uint16_t);
+  }
+  std::size_t depth_offset() const { return has_color_ ? color_offset(4) : 0; }
+
+  // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour channel and the background's depth.
+  int tiles_x() const { return tiles_x_; }
+  int tiles_y() const { return tiles_y_; }
   bool blank(int tile_x, int tile_y) const {
     return any_blank_ && blank_blocks_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x] == all_blocks;
   }
@@ -61,31 +80,42 @@ class FrameBuffer {
 
   // For a renderer, which keeps the notes true to what it writes: one for each tile, row by row; bit b is set when the
   // tile's block b of 16 x 16 pixels (four a row) is blank.
-  struct Planes {
-    std::uint16_t* color[4];
-    float* depth;
+  struct Memory {
+    std::byte* data;        // as above: data(), row_bytes(), bytes(), the channels' offsets
+    std::size_t row_bytes;  // 64 times this is a multiple of a page
+    std::size_t bytes;
+    std::size_t color_offset[4], depth_offset;  // of channels that the frame lacks: without meaning
     std::uint32_t* blank_blocks;
     std::size_t tiles;
-    bool notes_hold;  // false: the notes are void, others may have written to the planes since they were made
+    bool notes_hold;  // false: the notes are void, others may have written to the frame since they were made
   };
-  Planes planes();
+  Memory memory();
 
   static constexpr std::size_t tile_side = 64, block_side = 16;
 
  private:
   static constexpr std::uint32_t all_blocks = 0xffff;
   void forget_blank_tiles() { any_blank_ = false; }
+  std::size_t padded_width() const { return static_cast<std::size_t>(tiles_x_) * tile_side; }
+  std::size_t padded_rows() const { return static_cast<std::size_t>(tiles_y_) * tile_side; }
+  template <class T>
+  std::span<T> row(bool exists, int y, std::size_t offset) const {
+    if (!exists) return {};
+    std::byte* const first = memory_.get() + static_cast<std::size_t>(y) * row_bytes_ + offset;
+    return {reinterpret_cast<T*>(first), static_cast<std::size_t>(width_)};
+  }
   struct Unmap {
     std::size_t bytes;
-    void operator()(void* plane) const;
+    void operator()(void* memory) const;
   };
   template <class T>
-  static std::unique_ptr<T[], Unmap> map_plane(std::size_t elements);
+  static std::unique_ptr<T[], Unmap> map_memory(std::size_t bytes);
 
   int width_, height_;
-  std::size_t row_pitch_ = 0, padded_rows_ = 0;
-  std::unique_ptr<std::uint16_t[], Unmap> color_[4];
-  std::unique_ptr<float[], Unmap> depth_;
+  bool has_color_, has_depth_;
+  int tiles_x_ = 0, tiles_y_ = 0;
+  std::size_t row_bytes_ = 0;
+  std::unique_ptr<std::byte[], Unmap> memory_;
   std::unique_ptr<std::uint32_t[], Unmap> blank_blocks_;
   bool any_blank_ = false;  // false: blank_blocks_ is void
 };

@@ -52,21 +52,23 @@ std::string pixel_hash(const FrameBuffer& frame) {
   PixelHasher hasher;
   std::vector<PixelSpan> spans;
   const PixelHasher::Window window{0, 0, frame.width() - 1, frame.height() - 1};
-  const auto add_plane = [&](std::string_view name, PixelHasher::Type type, const auto* plane) {
+  // row_of: a row's pixels in one channel.
+  const auto add_channel = [&](std::string_view name, PixelHasher::Type type, const auto& row_of) {
     hasher.begin_channel(name, type, window);
     constexpr int side = FrameBuffer::block_side;
     for (int y = 0; y < frame.height(); ++y) {
       if (y % side == 0) find_spans(spans, frame, y / side);
-      const auto* const row = plane + static_cast<std::size_t>(y) * frame.row_pitch();
-      for (const PixelSpan& span : spans) hasher.add_row(span_pixels(row, span), span.count * sizeof *row);
+      const auto row = row_of(y);
+      for (const PixelSpan& span : spans) hasher.add_row(span_pixels(row, span), span.count * sizeof row[0]);
     }
   };
   if (frame.has_color()) {
     constexpr std::array<std::string_view, 4> names{"A", "B", "G", "R"};
-    constexpr std::array<int, 4> planes{3, 2, 1, 0};
-    for (std::size_t i = 0; i < names.size(); ++i) add_plane(names[i], PixelHasher::Type::half, frame.color(planes[i]));
+    constexpr std::array<int, 4> channels{3, 2, 1, 0};
+    for (std::size_t i = 0; i < names.size(); ++i)
+      add_channel(names[i], PixelHasher::Type::half, [&](int y) { return frame.color_row(channels[i], y); });
   }
-  if (frame.has_depth()) add_plane("Z", PixelHasher::Type::float_, frame.depth());
+  if (frame.has_depth()) add_channel("Z", PixelHasher::Type::float_, [&](int y) { return frame.depth_row(y); });
   return hasher.hex();
 }
 

@@ -10,6 +10,7 @@ namespace morphcl {
 
 struct Rgb {
   std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Rgb&) const = default;
 };
 
 struct RgbImage {

@@ -59,4 +59,6 @@ const std::array<std::uint8_t, 65536>& srgb8_from_half() {
 
 std::uint8_t srgb8(float linear) { return srgb8_from_half()[half(linear).bits()]; }
 
+float linear_from_srgb8(std::uint8_t code) { return static_cast<float>(linear_from_srgb(code / 255.0)); }
+
 }  // namespace morphcl

@@ -15,4 +15,7 @@ const std::array<std::uint8_t, 65536>& srgb8_from_half();
 // The same for a finite float, rounded to half first: that error stays below 1/20 of a code.
 std::uint8_t srgb8(float linear);
 
+// The value of a code, from 0 to 1.
+float linear_from_srgb8(std::uint8_t code);
+
 }  // namespace morphcl

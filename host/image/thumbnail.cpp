@@ -40,25 +40,20 @@ void add_row(const FrameBuffer& frame, int y, float row_share, const std::vector
              std::vector<Pixel>& sums) {
   const auto& value = displayable_from_half();
   for (int channel = 0; channel < 4; ++channel) {
-    const std::uint16_t* row = frame.color(channel) + static_cast<std::size_t>(y) * frame.row_pitch();
+    const std::span<const std::uint16_t> row = frame.color_row(channel, y);
     for (std::size_t x = 0; x < columns.size(); ++x) {
       const Span& span = columns[x];
       float sum = 0;
-      for (int i = span.first; i <= span.last; ++i) sum += span.share(i) * value[row[i]];
+      for (int i = span.first; i <= span.last; ++i) sum += span.share(i) * value[row[static_cast<std::size_t>(i)]];
       sums[x][static_cast<std::size_t>(channel)] += row_share * sum;
     }
   }
 }
 
 Rgb over_background(const Pixel& sum, float area) {
-  constexpr std::array<std::uint8_t, 3> codes{picture_background.red, picture_background.green,
-                                              picture_background.blue};
-  static const std::array<float, 3> background = [&] {
-    std::array<float, 3> linear{};
-    for (std::size_t i = 0; i < 3; ++i)
-      linear[i] = static_cast<float>(std::pow((codes[i] / 255.0 + 0.055) / 1.055, 2.4));
-    return linear;
-  }();
+  static const std::array<float, 3> background{linear_from_srgb8(picture_background.red),
+                                               linear_from_srgb8(picture_background.green),
+                                               linear_from_srgb8(picture_background.blue)};
   const float shown_background = std::max(0.0f, 1.0f - sum[3] / area);
   std::array<std::uint8_t, 3> out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = srgb8(sum[i] / area + shown_background * background[i]);

@@ -104,7 +104,7 @@ class Comparison {
     std::vector<float>* const planes[4] = {&result_.red, &result_.green, &result_.blue, &result_.alpha};
     bool other = false;
     for (int c = 0; c < 4; ++c) {
-      const double stored = imath_half_to_float(pixels_.color(c)[stored_at(x, y)]);
+      const double stored = imath_half_to_float(pixels_.color_row(c, y)[x]);
       (*planes[c])[at] = static_cast<float>(std::abs(error(stored, channels[c])));
       if (c == 3 || !object) continue;
       const Value value{channels[c], nearest_half(channels[c]), shown.color[c], stored};
@@ -122,7 +122,7 @@ class Comparison {
 
   void compare_depth(int x, int y, std::size_t at, const Visible<double>& exact, const ShownPixel& shown,
                      Differences* object) {
-    const double stored = pixels_.depth()[stored_at(x, y)];
+    const double stored = pixels_.depth_row(y)[x];
     const double distance = exact.object != no_object ? exact.distance : background_depth;
     const double unit = distance == 0 ? 1 : std::abs(distance);
     result_.depth[at] = result_.mask[at] == static_cast<float>(PixelDifference::outline)
@@ -136,8 +136,6 @@ class Comparison {
       d->other_depth += value.stored != value.nearest;
     }
   }
-
-  std::size_t stored_at(int x, int y) const { return y * pixels_.row_pitch() + x; }
 
   const PreciseFrame<Geometry> truth_;
   const FramePlan& plan_;

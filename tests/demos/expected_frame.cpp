@@ -46,8 +46,8 @@ RgbImage srgb_picture(const FrameBuffer& frame) {
   RgbImage picture(frame.width(), frame.height(), Rgb{});
   for (int y = 0; y < frame.height(); ++y) {
     for (int x = 0; x < frame.width(); ++x) {
-      const std::size_t at = y * frame.row_pitch() + x;
-      picture.at(x, y) = {srgb_code(frame.color(0)[at]), srgb_code(frame.color(1)[at]), srgb_code(frame.color(2)[at])};
+      picture.at(x, y) = {srgb_code(frame.color_row(0, y)[x]), srgb_code(frame.color_row(1, y)[x]),
+                          srgb_code(frame.color_row(2, y)[x])};
     }
   }
   return picture;

@@ -22,7 +22,7 @@ TEST(Picture, EveryPixelIsTheCodeOfItsOwnColour) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (int channel = 0; channel < 3; ++channel) {
-        frame.color(channel)[y * frame.row_pitch() + x] = value(x, y, channel).half;
+        frame.color_row(channel, y)[x] = value(x, y, channel).half;
       }
     }
   }

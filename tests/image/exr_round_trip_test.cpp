@@ -102,8 +102,8 @@ TEST(ExrRoundTrip, BytesHoldNoFolderAndNoPadding) {
   const TemporaryFolder folder;
   FrameBuffer frame = disc_frame(70, 70);
   write_exr(folder / "a.exr", frame, some_attributes(), "none");
-  frame.color(2)[70] = 0xdead;                       // right of the image
-  frame.depth()[frame.plane_elements() - 1] = 1234;  // below it
+  frame.color_row(2, 3).data()[70] = 0xdead;                                               // right of the image
+  std::fill_n(frame.data() + 70 * frame.row_bytes(), frame.row_bytes(), std::byte{0x77});  // below it
   std::filesystem::create_directory(folder / "elsewhere");
   write_exr(folder / "elsewhere/b.exr", frame, some_attributes(), "none");
   EXPECT_EQ(bytes_of(folder / "a.exr"), bytes_of(folder / "elsewhere/b.exr"));

@@ -77,16 +77,17 @@ std::vector<std::uint8_t> inflated(const ExrChunk& chunk, std::size_t bytes) {
 
 // Marks a block of 16 x 16 pixels as blank and fills it, if `with` is not 0, with what nobody may look at.
 void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with) {
-  const FrameBuffer::Planes planes = frame.planes();
+  const FrameBuffer::Memory memory = frame.memory();
   constexpr std::size_t side = FrameBuffer::block_side;
+  const std::size_t first = static_cast<std::size_t>(block_x) * side;
   for (std::size_t y = 0; y < side; ++y) {
-    const std::size_t row =
-        (static_cast<std::size_t>(block_y) * side + y) * frame.row_pitch() + static_cast<std::size_t>(block_x) * side;
-    for (std::uint16_t* plane : planes.color)
-      if (plane) std::fill_n(plane + row, side, with);
-    if (planes.depth) std::fill_n(planes.depth + row, side, with ? 1.0f : background_depth);
+    std::byte* const row = memory.data + (static_cast<std::size_t>(block_y) * side + y) * memory.row_bytes;
+    for (const std::size_t offset : memory.color_offset)
+      if (frame.has_color()) std::fill_n(reinterpret_cast<std::uint16_t*>(row + offset) + first, side, with);
+    if (frame.has_depth())
+      std::fill_n(reinterpret_cast<float*>(row + memory.depth_offset) + first, side, with ? 1.0f : background_depth);
   }
-  planes.blank_blocks[block_y / 4 * frame.tiles_x() + block_x / 4] |= 1u << (block_y % 4 * 4 + block_x % 4);
+  memory.blank_blocks[block_y / 4 * frame.tiles_x() + block_x / 4] |= 1u << (block_y % 4 * 4 + block_x % 4);
 }
 
 // What OpenEXR's file layout says, step by step.
@@ -153,8 +154,7 @@ TEST(ExrZip, NoiseIsStoredAsItIs) {
   const ExrChunks ours = chunks_of(our_file(frame), 3);
   EXPECT_EQ(ours.chunks[0].data.size(), 200u * 12 * 16);
   EXPECT_EQ(ours.chunks[2].data.size(), 200u * 12 * 8);
-  EXPECT_EQ(std::memcmp(ours.chunks[1].data.data(), frame.color(3) + 16 * frame.row_pitch(), 400), 0)
-      << "A comes first";
+  EXPECT_EQ(std::memcmp(ours.chunks[1].data.data(), frame.color_row(3, 16).data(), 400), 0) << "A comes first";
 }
 
 TEST(ExrZip, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
@@ -166,7 +166,7 @@ TEST(ExrZip, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
         make_blank(marked, x, y, 0x3c01);
         make_blank(plain, x, y, 0);
       }
-  plain.depth();  // nothing counts as blank any more
+  plain.data();  // nothing counts as blank any more
   ASSERT_TRUE(marked.blank_block(9, 8));
   ASSERT_FALSE(marked.blank_block(9, 4));
   ASSERT_FALSE(plain.blank_block(9, 8));
@@ -178,7 +178,7 @@ TEST(ExrZip, WideRunsOfBlankBlocksAreWhole) {
   FrameBuffer marked(2600, 20, true, true), plain(2600, 20, true, true);
   for (int x = 0; x < marked.blocks_x(); ++x)
     for (const int y : {0, 1}) make_blank(marked, x, y, 0x3c01);
-  std::fill_n(plain.depth(), plain.plane_elements(), background_depth);
+  for (int y = 0; y < plain.height(); ++y) std::ranges::fill(plain.depth_row(y), background_depth);
   EXPECT_EQ(our_file(marked), our_file(plain));
 }
 
@@ -186,16 +186,13 @@ TEST(ExrZip, WideRunsOfBlankBlocksAreWhole) {
 TEST(ExrZip, RepeatedChunksAreTheirOwnPixels) {
   for (const bool noise : {false, true}) {
     FrameBuffer frame = noise ? arbitrary_frame(100, 104, true, true) : disc_frame(100, 104);
-    const std::size_t pitch = frame.row_pitch();
-    const auto copy_lines = [&](int from, int to, int lines) {
-      const std::size_t a = static_cast<std::size_t>(from) * pitch, b = static_cast<std::size_t>(to) * pitch;
-      const std::size_t n = static_cast<std::size_t>(lines) * pitch;
-      for (int channel = 0; channel < 4; ++channel) std::copy_n(frame.color(channel) + a, n, frame.color(channel) + b);
-      std::copy_n(frame.depth() + a, n, frame.depth() + b);
+    const auto copy_lines = [&](std::size_t from, std::size_t to, std::size_t lines) {
+      const std::size_t bytes = frame.row_bytes();
+      std::copy_n(frame.data() + from * bytes, lines * bytes, frame.data() + to * bytes);
     };
     copy_lines(16, 32, 16);  // twice the same, then the same but for one bit, then the same again, shorter
     copy_lines(16, 48, 16);
-    frame.depth()[63 * pitch + 99] += 1;
+    frame.depth_row(63)[99] += 1;
     copy_lines(48, 64, 16);
     copy_lines(80, 96, 8);
     const std::vector<char> file = our_file(frame);

@@ -9,59 +9,82 @@
 namespace morphcl {
 namespace {
 
-TEST(FrameBuffer, RowsAndPlanesAreWholeTiles) {
+TEST(FrameBuffer, RowsOfAllChannelsFollowEachOtherInWholeTiles) {
   const FrameBuffer frame(65, 64, true, true);
   EXPECT_EQ(frame.width(), 65);
   EXPECT_EQ(frame.height(), 64);
-  EXPECT_EQ(frame.row_pitch(), 128u);
-  EXPECT_EQ(frame.plane_elements(), 128u * 64u);
-  EXPECT_EQ(FrameBuffer(1, 1, true, false).plane_elements(), 64u * 64u);
+  for (int channel = 0; channel < 4; ++channel)
+    EXPECT_EQ(frame.color_offset(channel), 128u * 2 * static_cast<unsigned>(channel));
+  EXPECT_EQ(frame.depth_offset(), 128u * 8);
+  EXPECT_EQ(frame.row_bytes(), 128u * 12);
+  EXPECT_EQ(frame.bytes(), 128u * 12 * 64);
+  EXPECT_EQ(FrameBuffer(1, 1, true, false).bytes(), 64u * 8 * 64);
+  EXPECT_EQ(FrameBuffer(1, 65, false, true).bytes(), 64u * 4 * 128);
+  EXPECT_EQ(FrameBuffer(1, 1, false, true).depth_offset(), 0u);
 }
 
-TEST(FrameBuffer, OnlyWantedPlanesExist) {
+TEST(FrameBuffer, SpansAreTheRowsWhereThePitchSays) {
+  FrameBuffer frame(70, 130, true, true);
+  const FrameBuffer& same = frame;
+  for (const int y : {0, 1, 64, 129}) {
+    const std::byte* const row = same.data() + static_cast<std::size_t>(y) * same.row_bytes();
+    for (int channel = 0; channel < 4; ++channel) {
+      EXPECT_EQ(same.color_row(channel, y).size(), 70u);
+      EXPECT_EQ(reinterpret_cast<const std::byte*>(same.color_row(channel, y).data()),
+                row + same.color_offset(channel));
+      EXPECT_EQ(frame.color_row(channel, y).data(), same.color_row(channel, y).data());
+    }
+    EXPECT_EQ(same.depth_row(y).size(), 70u);
+    EXPECT_EQ(reinterpret_cast<const std::byte*>(same.depth_row(y).data()), row + same.depth_offset());
+    EXPECT_EQ(frame.depth_row(y).data(), same.depth_row(y).data());
+  }
+}
+
+TEST(FrameBuffer, OnlyWantedChannelsExist) {
   const FrameBuffer color(8, 8, true, false), depth(8, 8, false, true), none(8, 8, false, false);
-  EXPECT_TRUE(color.has_color() && !color.has_depth() && color.depth() == nullptr);
-  EXPECT_TRUE(!depth.has_color() && depth.has_depth() && depth.color(3) == nullptr);
-  EXPECT_TRUE(!none.has_color() && !none.has_depth());
+  EXPECT_TRUE(color.has_color() && !color.has_depth() && color.depth_row(0).empty());
+  EXPECT_TRUE(!depth.has_color() && depth.has_depth() && depth.color_row(3, 0).empty());
+  EXPECT_TRUE(!none.has_color() && !none.has_depth() && none.data() == nullptr && none.bytes() == 0);
 }
 
-TEST(FrameBuffer, PlanesStartOnPages) {
+// OpenCL uses the memory in place, also that of a band alone: some whole rows of tiles.
+TEST(FrameBuffer, FramesAndTheirRowsOfTilesStartOnPages) {
   const FrameBuffer small(64, 64, true, true), large(1920, 1080, true, true);
   constexpr std::uintptr_t page = 4096, huge_page = 2 << 20;
-  for (int channel = 0; channel < 4; ++channel) {
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(small.color(channel)) % page, 0u) << channel;
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.color(channel)) % huge_page, 0u) << channel;
-  }
-  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.depth()) % huge_page, 0u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(small.data()) % page, 0u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % huge_page, 0u);
+  for (const int width : {1, 65, 1920, 2048, 16384, 32768})
+    for (const auto& [color, depth] : {std::pair{true, true}, {true, false}, {false, true}}) {
+      const FrameBuffer frame(width, 65, color, depth);
+      EXPECT_EQ(frame.row_bytes() * FrameBuffer::tile_side % page, 0u) << width;
+      EXPECT_EQ(frame.row_bytes() % 64, 0u) << width;
+      EXPECT_EQ(frame.depth_offset() % 64, 0u) << width;
+    }
 }
 
 TEST(FrameBuffer, FreshMemoryIsZeroAlsoAfterOthersUsedIt) {
   for (int round = 0; round < 3; ++round) {
     FrameBuffer frame(1500, 900, true, true);
-    for (int channel = 0; channel < 4; ++channel) {
-      std::uint16_t* plane = frame.color(channel);
-      ASSERT_TRUE(std::all_of(plane, plane + frame.plane_elements(), [](std::uint16_t v) { return v == 0; }));
-      std::fill_n(plane, frame.plane_elements(), std::uint16_t{0xffff});
-    }
-    ASSERT_TRUE(std::all_of(frame.depth(), frame.depth() + frame.plane_elements(), [](float v) { return v == 0; }));
-    std::fill_n(frame.depth(), frame.plane_elements(), 1.0f);
+    std::byte* const memory = frame.data();
+    ASSERT_TRUE(std::all_of(memory, memory + frame.bytes(), [](std::byte v) { return v == std::byte{0}; }));
+    std::fill_n(memory, frame.bytes(), std::byte{0xff});
   }
 }
 
 TEST(FrameBuffer, LargeFrameTakesMemoryOnlyWhereItIsWritten) {
   FrameBuffer frame(16384, 16384, true, true);  // 3 GiB of addresses
-  frame.color(3)[frame.plane_elements() - 1] = 7;
-  frame.depth()[frame.plane_elements() - 1] = 7;
-  EXPECT_EQ(frame.color(0)[frame.plane_elements() - 1], 0);
+  frame.color_row(3, 16383).back() = 7;
+  frame.depth_row(16383).back() = 7;
+  EXPECT_EQ(frame.color_row(0, 16383).back(), 0);
 }
 
-TEST(FrameBuffer, MovedFrameKeepsItsPlanes) {
+TEST(FrameBuffer, MovedFrameKeepsItsMemory) {
   FrameBuffer frame(70, 70, true, true);
-  std::uint16_t* plane = frame.color(0);
-  plane[5] = 1234;
+  std::uint16_t* const row = frame.color_row(0, 0).data();
+  row[5] = 1234;
   FrameBuffer moved = std::move(frame);
-  EXPECT_EQ(moved.color(0), plane);
-  EXPECT_EQ(moved.color(0)[5], 1234);
+  EXPECT_EQ(moved.color_row(0, 0).data(), row);
+  EXPECT_EQ(moved.color_row(0, 0)[5], 1234);
 }
 
 TEST(FrameBuffer, ImpossibleSizesAreRefused) {
@@ -82,12 +105,12 @@ TEST(FrameBuffer, ImpossibleSizesAreRefused) {
 
 TEST(FrameBuffer, NotesOfBlankTilesAreGoneOnceOthersMayHaveWritten) {
   FrameBuffer frame(64, 64, true, true);
-  frame.planes().blank_blocks[0] = 0xffff;
+  frame.memory().blank_blocks[0] = 0xffff;
   EXPECT_TRUE(frame.blank(0, 0));
-  EXPECT_TRUE(frame.planes().notes_hold);
-  frame.color(0)[0] = 1;
+  EXPECT_TRUE(frame.memory().notes_hold);
+  frame.color_row(0, 0)[0] = 1;
   EXPECT_FALSE(frame.blank(0, 0));
-  EXPECT_FALSE(frame.planes().notes_hold);  // and a renderer that now fails has drawn nothing blank:
+  EXPECT_FALSE(frame.memory().notes_hold);  // and a renderer that now fails has drawn nothing blank:
   EXPECT_FALSE(frame.blank(0, 0));
 }
 

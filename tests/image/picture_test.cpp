@@ -15,7 +15,6 @@
 
 namespace morphcl {
 
-static bool operator==(const Rgb& a, const Rgb& b) { return a.red == b.red && a.green == b.green && a.blue == b.blue; }
 static void PrintTo(const Rgb& c, std::ostream* stream) {
   *stream << "(" << int{c.red} << " " << int{c.green} << " " << int{c.blue} << ")";
 }
@@ -79,15 +78,14 @@ TEST(Thumbnail, MeanIsLinear) {
   for (int y = 0; y < 64; ++y)
     for (int x = y % 2; x < 64; x += 2)
       for (int channel = 0; channel < 3; ++channel)
-        frame.color(channel)[static_cast<std::size_t>(y) * frame.row_pitch() + static_cast<std::size_t>(x)] =
-            half(1.0f).bits();
+        frame.color_row(channel, y)[static_cast<std::size_t>(x)] = half(1.0f).bits();
   for (const Rgb& pixel : thumbnail(frame, {8, 8}).pixels) ASSERT_EQ(pixel, (Rgb{188, 188, 188}));
 }
 
 // 3 pixels onto 2: the middle one is shared half and half.
 TEST(Thumbnail, PixelsOnABorderAreShared) {
   FrameBuffer frame = uniform_frame(3, 1, 0, 0, 0, 1);
-  frame.color(0)[1] = half(0.75f).bits();
+  frame.color_row(0, 0)[1] = half(0.75f).bits();
   const RgbImage image = thumbnail(frame, {2, 1});
   EXPECT_EQ(image.at(0, 0).red, srgb8(0.25f));  // (0 + 0.75 / 2) / 1.5
   EXPECT_EQ(image.at(1, 0).red, srgb8(0.25f));
@@ -104,8 +102,8 @@ TEST(Thumbnail, LiesOverTheBackground) {
 
 TEST(Thumbnail, NansAndInfinitiesStayInTheirPixel) {
   FrameBuffer frame = uniform_frame(4, 1, 0.5f, 0.5f, 0.5f, 1);
-  frame.color(0)[0] = 0x7e00;  // NaN
-  frame.color(0)[3] = 0x7c00;  // infinity
+  frame.color_row(0, 0)[0] = 0x7e00;  // NaN
+  frame.color_row(0, 0)[3] = 0x7c00;  // infinity
   const RgbImage image = thumbnail(frame, {2, 1});
   EXPECT_EQ(image.at(0, 0), (Rgb{srgb8(0.25f), srgb8(0.5f), srgb8(0.5f)}));
   EXPECT_EQ(image.at(1, 0), (Rgb{255, srgb8(0.5f), srgb8(0.5f)}));

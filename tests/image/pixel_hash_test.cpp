@@ -47,11 +47,11 @@ TEST(PixelHash, IsTheDocumentedFunction) {
   for (const auto& [name, channel] : channels) {
     bytes.text(name);
     bytes.integers({1, 0, 0, 66, 4});
-    for (std::size_t y = 0; y < 5; ++y) bytes.add(frame.color(channel) + y * frame.row_pitch(), 67 * 2);
+    for (int y = 0; y < 5; ++y) bytes.add(frame.color_row(channel, y).data(), 67 * 2);
   }
   bytes.text("Z");
   bytes.integers({2, 0, 0, 66, 4});
-  for (std::size_t y = 0; y < 5; ++y) bytes.add(frame.depth() + y * frame.row_pitch(), 67 * 4);
+  for (int y = 0; y < 5; ++y) bytes.add(frame.depth_row(y).data(), 67 * 4);
   EXPECT_EQ(pixel_hash(frame), bytes.hash());
   EXPECT_EQ(pixel_hash(frame).size(), 32u);
 }
@@ -61,13 +61,13 @@ TEST(PixelHash, EveryFlippedBitOfEveryChannelChangesIt) {
   std::set<std::string> hashes{pixel_hash(frame)};
   for (int bit = 0; bit < 16; ++bit)
     for (int channel = 0; channel < 4; ++channel) {
-      std::uint16_t& value = frame.color(channel)[3 * frame.row_pitch() + 4];
+      std::uint16_t& value = frame.color_row(channel, 3)[4];
       value = static_cast<std::uint16_t>(value ^ (1u << bit));
       EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << "bit " << bit << " of channel " << channel;
       value = static_cast<std::uint16_t>(value ^ (1u << bit));
     }
   for (int bit = 0; bit < 32; ++bit) {
-    float& value = frame.depth()[6 * frame.row_pitch() + 8];
+    float& value = frame.depth_row(6)[8];
     const float before = value;
     value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ (1u << bit));
     EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << "bit " << bit << " of Z";
@@ -79,7 +79,7 @@ TEST(PixelHash, TellsNansByTheirPayloadAndZerosByTheirSign) {
   FrameBuffer frame = disc_frame(4, 4);
   std::set<std::string> hashes;
   for (const std::uint32_t bits : {0x7fc00000u, 0x7fc00001u, 0xffc00000u, 0x00000000u, 0x80000000u}) {
-    frame.depth()[0] = std::bit_cast<float>(bits);
+    frame.depth_row(0)[0] = std::bit_cast<float>(bits);
     EXPECT_TRUE(hashes.insert(pixel_hash(frame)).second) << std::hex << bits;
   }
 }
@@ -87,29 +87,29 @@ TEST(PixelHash, TellsNansByTheirPayloadAndZerosByTheirSign) {
 TEST(PixelHash, LeavesThePaddingOut) {
   FrameBuffer frame = disc_frame(9, 7);
   const std::string before = pixel_hash(frame);
-  for (int channel = 0; channel < 4; ++channel) {
-    frame.color(channel)[9] = 77;
-    frame.color(channel)[7 * frame.row_pitch()] = 77;
-  }
-  frame.depth()[frame.plane_elements() - 1] = 77;
+  const std::size_t row = frame.row_bytes();
+  for (int channel = 0; channel < 4; ++channel) frame.color_row(channel, 0).data()[9] = 77;  // right of the picture
+  frame.depth_row(6).data()[9] = 77;
+  std::fill_n(frame.data() + 7 * row, frame.bytes() - 7 * row, std::byte{77});  // below it
   EXPECT_EQ(pixel_hash(frame), before);
 }
 
 // Background that is known to be there is not read, and has the same hash.
 TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
   FrameBuffer plain(150, 70, true, true), marked(150, 70, true, true);
-  std::fill_n(plain.depth(), plain.plane_elements(), background_depth);
-  plain.color(2)[5] = plain.color(2)[69 * plain.row_pitch() + 149] = 0x3c00;
-  std::fill_n(marked.depth(), marked.plane_elements(), 1.0f);  // is not looked at
-  const FrameBuffer::Planes planes = marked.planes();
-  for (std::size_t tile = 0; tile < planes.tiles; ++tile) planes.blank_blocks[tile] = 0xffff;
-  planes.blank_blocks[0] = 0xfffe;  // all but the first block
-  planes.blank_blocks[5] = 0xfffd;  // all but the one with the last pixel
-  for (const auto& [x, y] : {std::pair{0, 0}, {144, 64}})
-    for (std::size_t row = 0; row < FrameBuffer::block_side; ++row)
-      std::fill_n(planes.depth + (static_cast<std::size_t>(y) + row) * marked.row_pitch() + static_cast<std::size_t>(x),
-                  FrameBuffer::block_side, background_depth);
-  planes.color[2][5] = planes.color[2][69 * marked.row_pitch() + 149] = 0x3c00;
+  for (int y = 0; y < 70; ++y) {
+    std::ranges::fill(plain.depth_row(y), background_depth);
+    std::ranges::fill(marked.depth_row(y), 1.0f);  // is not looked at
+  }
+  for (FrameBuffer* const frame : {&plain, &marked}) {
+    for (int y = 0; y < 16; ++y) std::ranges::fill(frame->depth_row(y).first(16), background_depth);
+    for (int y = 64; y < 70; ++y) std::ranges::fill(frame->depth_row(y).last(6), background_depth);
+    frame->color_row(2, 0)[5] = frame->color_row(2, 69)[149] = 0x3c00;
+  }
+  const FrameBuffer::Memory memory = marked.memory();  // the last to touch it, so that its notes hold
+  for (std::size_t tile = 0; tile < memory.tiles; ++tile) memory.blank_blocks[tile] = 0xffff;
+  memory.blank_blocks[0] = 0xfffe;  // all but the first block
+  memory.blank_blocks[5] = 0xfffd;  // all but the one with the last pixel
   EXPECT_EQ(pixel_hash(marked), pixel_hash(plain));
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <half.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace morphcl::image_test {
 
@@ -19,15 +21,13 @@ std::uint64_t next_random(std::uint64_t& state) {
 }
 
 template <class T>
-std::string plane_difference(const char* name, const FrameBuffer& frame, const T* expected, const T* actual) {
-  for (int y = 0; y < frame.height(); ++y)
-    for (int x = 0; x < frame.width(); ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * frame.row_pitch() + static_cast<std::size_t>(x);
-      using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint16_t>;
-      const Bits want = std::bit_cast<Bits>(expected[i]), got = std::bit_cast<Bits>(actual[i]);
-      if (want != got)
-        return fmt::format("channel {} at ({}, {}): bits {:#x} expected, {:#x} found", name, x, y, want, got);
-    }
+std::string row_difference(const char* name, int y, std::span<const T> expected, std::span<const T> actual) {
+  for (std::size_t x = 0; x < expected.size(); ++x) {
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint16_t>;
+    const Bits want = std::bit_cast<Bits>(expected[x]), got = std::bit_cast<Bits>(actual[x]);
+    if (want != got)
+      return fmt::format("channel {} at ({}, {}): bits {:#x} expected, {:#x} found", name, x, y, want, got);
+  }
   return "";
 }
 
@@ -35,10 +35,10 @@ std::string plane_difference(const char* name, const FrameBuffer& frame, const T
 
 FrameBuffer arbitrary_frame(int width, int height, bool color, bool depth, std::uint64_t seed) {
   FrameBuffer frame(width, height, color, depth);
-  for (std::size_t i = 0; i < frame.plane_elements(); ++i) {
-    for (int channel = 0; color && channel < 4; ++channel)
-      frame.color(channel)[i] = static_cast<std::uint16_t>(next_random(seed));
-    if (depth) frame.depth()[i] = std::bit_cast<float>(static_cast<std::uint32_t>(next_random(seed)));
+  std::byte* const memory = frame.data();
+  for (std::size_t i = 0; i < frame.bytes(); i += 2) {
+    const auto bits = static_cast<std::uint16_t>(next_random(seed));
+    std::memcpy(memory + i, &bits, sizeof bits);
   }
   return frame;
 }
@@ -47,13 +47,13 @@ FrameBuffer disc_frame(int width, int height, bool color, bool depth) {
   FrameBuffer frame(width, height, color, depth);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * frame.row_pitch() + static_cast<std::size_t>(x);
+      const auto i = static_cast<std::size_t>(x);
       const double u = (x + 0.5) / width * 2 - 1, v = (y + 0.5) / height * 2 - 1, rest = 0.8 - u * u - v * v;
       const float shade = rest > 0 ? static_cast<float>(std::sqrt(rest)) : 0.0f;
       for (int channel = 0; color && channel < 3; ++channel)
-        frame.color(channel)[i] = half(shade * (0.9f - 0.3f * static_cast<float>(channel))).bits();
-      if (color) frame.color(3)[i] = half(rest > 0 ? 1.0f : 0.0f).bits();
-      if (depth) frame.depth()[i] = rest > 0 ? 5.0f - shade : background_depth;
+        frame.color_row(channel, y)[i] = half(shade * (0.9f - 0.3f * static_cast<float>(channel))).bits();
+      if (color) frame.color_row(3, y)[i] = half(rest > 0 ? 1.0f : 0.0f).bits();
+      if (depth) frame.depth_row(y)[i] = rest > 0 ? 5.0f - shade : background_depth;
     }
   return frame;
 }
@@ -61,8 +61,9 @@ FrameBuffer disc_frame(int width, int height, bool color, bool depth) {
 FrameBuffer uniform_frame(int width, int height, float red, float green, float blue, float alpha) {
   FrameBuffer frame(width, height, true, false);
   const float values[4] = {red, green, blue, alpha};
-  for (int channel = 0; channel < 4; ++channel)
-    for (std::size_t i = 0; i < frame.plane_elements(); ++i) frame.color(channel)[i] = half(values[channel]).bits();
+  for (int y = 0; y < height; ++y)
+    for (int channel = 0; channel < 4; ++channel)
+      std::ranges::fill(frame.color_row(channel, y), half(values[channel]).bits());
   return frame;
 }
 
@@ -73,11 +74,16 @@ std::string difference(const FrameBuffer& expected, const FrameBuffer& actual) {
   if (expected.has_color() != actual.has_color() || expected.has_depth() != actual.has_depth())
     return "other channels than expected";
   constexpr const char* names[] = {"R", "G", "B", "A"};
-  for (int channel = 0; expected.has_color() && channel < 4; ++channel) {
-    const std::string text = plane_difference(names[channel], expected, expected.color(channel), actual.color(channel));
+  for (int y = 0; y < expected.height(); ++y) {
+    for (int channel = 0; expected.has_color() && channel < 4; ++channel) {
+      const std::string text =
+          row_difference(names[channel], y, expected.color_row(channel, y), actual.color_row(channel, y));
+      if (!text.empty()) return text;
+    }
+    const std::string text = row_difference("Z", y, expected.depth_row(y), actual.depth_row(y));
     if (!text.empty()) return text;
   }
-  return expected.has_depth() ? plane_difference("Z", expected, expected.depth(), actual.depth()) : "";
+  return "";
 }
 
 }  // namespace morphcl::image_test

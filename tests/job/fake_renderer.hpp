@@ -28,9 +28,7 @@ class FakeRenderer : public Renderer {
     buffers.insert(&frame);
     if (before_draw) before_draw(plan.frame);
     const FrameBuffer pixels = pixels_of(plan.frame);
-    for (int channel = 0; channel < 4; ++channel)
-      std::copy_n(pixels.color(channel), pixels.plane_elements(), frame.color(channel));
-    std::copy_n(pixels.depth(), pixels.plane_elements(), frame.depth());
+    std::copy_n(pixels.data(), pixels.bytes(), frame.data());
   }
   std::string name() const override { return "fake"; }
 };

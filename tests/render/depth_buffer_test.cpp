@@ -78,7 +78,10 @@ TEST_P(DepthBuffers, TheDeviceDrawsTheReferencesBits) {
 
 TEST_P(DepthBuffers, NoPixelDependsOnTheFormatWhereNothingIsBehind) {
   const auto colors_of = [](const FrameBuffer& frame, int c) {
-    return std::vector<std::uint16_t>(frame.color(c), frame.color(c) + frame.plane_elements());
+    std::vector<std::uint16_t> values;
+    for (int y = 0; y < frame.height(); ++y)
+      values.insert(values.end(), frame.color_row(c, y).begin(), frame.color_row(c, y).end());
+    return values;
   };
   const Scene scene = pyramid_to_cube(120, 90);
   const FrameBuffer usual = draw(scene), other = draw(with_format(scene));
@@ -107,9 +110,7 @@ struct Pairs {
     scene.timeline.ambient = {1, 1, 1};
   }
 
-  bool shows_nearer(const FrameBuffer& frame, int i) const {
-    return frame.color(1)[i / cells * frame.row_pitch() + i % cells] != 0;
-  }
+  bool shows_nearer(const FrameBuffer& frame, int i) const { return frame.color_row(1, i / cells)[i % cells] != 0; }
 
  private:
   // Around the pixel's centre, where the view is 90 degrees wide.
@@ -242,7 +243,7 @@ TEST_P(DepthBuffers, EndAtTheFarPlane) {
       if (std::abs(d / far - 1) < 0x1p-20) continue;
       const bool expected = d > 0 && d < far;
       for (int x = 40; x < 120; ++x)
-        EXPECT_EQ(frame.color(3)[y * frame.row_pitch() + x] != 0, expected) << x << ' ' << y << ", distance " << d;
+        EXPECT_EQ(frame.color_row(3, y)[x] != 0, expected) << x << ' ' << y << ", distance " << d;
       (expected ? drawn : beyond) += 1;
     }
     EXPECT_GT(drawn, 10) << parallel;

@@ -83,9 +83,11 @@ TEST_P(KeptFrame, WhatOthersWroteIntoTheBufferIsDrawnOver) {
   const Planner planner(scene_);
   FrameBuffer buffer(kept_width, kept_height, true, true);
   expect_parity(planner, 0, buffer);
-  for (int channel = 0; channel < 4; ++channel)
-    std::fill_n(buffer.color(channel), buffer.plane_elements(), std::uint16_t{0x3c00});
-  std::fill_n(buffer.depth(), buffer.plane_elements(), 1.0f);
+  for (int y = 0; y < kept_height; ++y) {
+    for (int channel = 0; channel < 4; ++channel)
+      std::ranges::fill(buffer.color_row(channel, y), std::uint16_t{0x3c00});
+    std::ranges::fill(buffer.depth_row(y), 1.0f);
+  }
   EXPECT_FALSE(buffer.blank(0, 0));
   expect_parity(planner, 0, buffer);
 }
@@ -164,9 +166,9 @@ TEST(BlankTiles, AreThoseThatHoldTheBackground) {
       ++blank;
       for (int row = 0; row < 64; ++row)
         for (int column = 0; column < 64; ++column) {
-          const std::size_t at = (tile_y * 64u + row) * drawn.row_pitch() + tile_x * 64u + column;
-          ASSERT_EQ(drawn.depth()[at], background_depth) << tile_x << " " << tile_y;
-          for (int channel = 0; channel < 4; ++channel) ASSERT_EQ(drawn.color(channel)[at], 0u) << channel;
+          const int x = tile_x * 64 + column, y = tile_y * 64 + row;
+          ASSERT_EQ(drawn.depth_row(y)[x], background_depth) << tile_x << " " << tile_y;
+          for (int channel = 0; channel < 4; ++channel) ASSERT_EQ(drawn.color_row(channel, y)[x], 0u) << channel;
         }
     }
   EXPECT_GE(blank, 4);  // the right half at least

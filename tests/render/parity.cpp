@@ -14,20 +14,19 @@ namespace morphcl::test {
   ::testing::AssertionResult failure = ::testing::AssertionFailure();
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const std::size_t at = y * expected.row_pitch() + x;
       bool differs = false;
       for (int c = 0; expected.has_color() && c < 4; ++c)
-        if (expected.color(c)[at] != actual.color(c)[at]) {
+        if (expected.color_row(c, y)[x] != actual.color_row(c, y)[x]) {
           if (different == 0 && !differs)
             failure << fmt::format("pixel ({}, {}) channel {}: expected half bits {:#06x}, got {:#06x}; ", x, y,
-                                   "RGBA"[c], expected.color(c)[at], actual.color(c)[at]);
+                                   "RGBA"[c], expected.color_row(c, y)[x], actual.color_row(c, y)[x]);
           differs = true;
         }
       if (expected.has_depth() &&
-          std::bit_cast<unsigned>(expected.depth()[at]) != std::bit_cast<unsigned>(actual.depth()[at])) {
+          std::bit_cast<unsigned>(expected.depth_row(y)[x]) != std::bit_cast<unsigned>(actual.depth_row(y)[x])) {
         if (different == 0 && !differs)
-          failure << fmt::format("pixel ({}, {}) channel Z: expected {:.9g}, got {:.9g}; ", x, y, expected.depth()[at],
-                                 actual.depth()[at]);
+          failure << fmt::format("pixel ({}, {}) channel Z: expected {:.9g}, got {:.9g}; ", x, y,
+                                 expected.depth_row(y)[x], actual.depth_row(y)[x]);
         differs = true;
       }
       different += differs;
@@ -39,7 +38,7 @@ namespace morphcl::test {
 std::size_t covered_pixels(const FrameBuffer& frame) {
   std::size_t covered = 0;
   for (int y = 0; y < frame.height(); ++y)
-    for (int x = 0; x < frame.width(); ++x) covered += frame.color(3)[y * frame.row_pitch() + x] != 0;
+    for (int x = 0; x < frame.width(); ++x) covered += frame.color_row(3, y)[x] != 0;
   return covered;
 }
 

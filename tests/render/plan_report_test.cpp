@@ -56,7 +56,7 @@ TEST(ScreenReach, HoldsEveryPixelThatIsDrawn) {
       renderer->render(plan, pixels);
       for (int y = 0; y < plan.height; ++y)
         for (int x = 0; x < plan.width; ++x)
-          ASSERT_TRUE(pixels.color(3)[y * pixels.row_pitch() + x] == 0 || reach.reached[y / 64 * 6 + x / 64])
+          ASSERT_TRUE(pixels.color_row(3, y)[x] == 0 || reach.reached[y / 64 * 6 + x / 64])
               << test.name << " frame " << frame << " pixel " << x << ' ' << y;
       blank += 24 - reach.reached_tiles;
       EXPECT_LE(reach.reached_pixels, 333.0 * 211.0);
@@ -185,6 +185,15 @@ TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {
   const std::string text = exceeded_limit(need, std::size_t{1} << 20);
   EXPECT_NE(text.find(need.largest_name), std::string::npos) << text;
   EXPECT_NE(text.find("the device allocates at most 1.0 MiB"), std::string::npos) << text;
+}
+
+// A device gets the picture in pieces of any size.
+TEST(PlanReport, PictureIsNeverTooLargeForADevice) {
+  SceneBuilder b(16384, 16384);
+  b.add(make_cube(), Shading::flat);
+  const MemoryNeed need = report_of(b.look({0, 0, 4}).scene(), 0).memory;
+  EXPECT_EQ(need.pixels, std::size_t{16384} * 16384 * 12);
+  EXPECT_EQ(exceeded_limit(need, std::size_t{1} << 30), "");
 }
 
 }  // namespace

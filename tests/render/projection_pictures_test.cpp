@@ -121,7 +121,7 @@ TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
           nearest = std::min(nearest, distance);
           farthest = std::max(farthest, distance);
         }
-      const double actual = double{picture.depth()[y * picture.row_pitch() + x]};
+      const double actual = double{picture.depth_row(y)[x]};
       if (std::isinf(nearest)) {
         EXPECT_EQ(actual, 1e10f) << x << ", " << y;
         ++background;

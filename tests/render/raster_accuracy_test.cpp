@@ -173,7 +173,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   int covered = 0;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const float actual = frame.depth()[row * frame.row_pitch() + column];
+      const float actual = frame.depth_row(row)[column];
       if (actual == background_depth) continue;
       ++covered;
       const Exact px = column * 256 + 128, py = row * 256 + 128;

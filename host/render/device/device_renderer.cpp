@@ -9,11 +9,12 @@
 #include "host/device/launch.hpp"
 #include "host/device/shared_buffer.hpp"
 #include "host/error.hpp"
+#include "host/render/device/device_picture.hpp"
 #include "host/render/device/device_table.hpp"
-#include "host/render/device/frame_planes.hpp"
 #include "host/render/device/frame_tables.hpp"
 #include "host/render/device/kept_vertices.hpp"
 #include "host/render/device/mesh_store.hpp"
+#include "host/render/frame/require_fit.hpp"
 
 namespace morphcl {
 
@@ -46,25 +47,24 @@ struct Pools {
 
 class DeviceRenderer : public Renderer {
  public:
-  explicit DeviceRenderer(std::shared_ptr<Session> session) : session_(std::move(session)), meshes_(session_) {
+  DeviceRenderer(std::shared_ptr<Session> session, std::size_t largest_band)
+      : session_(std::move(session)), meshes_(session_), pictures_(session_->context(), largest_band) {
     overflow_.ensure(sizeof(uint));
     overflow_.map<uint>(queue(), 1)[0] = 0;
   }
 
   void render(const FramePlan& plan, FrameBuffer& frame) override {
-    if (frame.width() != plan.width || frame.height() != plan.height || frame.has_color() != plan.color ||
-        frame.has_depth() != plan.depth)
-      throw Error(ErrorKind::internal, "", "the frame buffer has another size or other channels than the plan");
+    require_fit(plan, frame);
     depth_format_ = plan.depth_buffer.format;
     if (meshes_.require(plan)) {
       kept_.forget_meshes();
       tables_.origin = {};
       uploaded_origin_ = {};
     }
-    make_frame_tables(plan, meshes_, frame.row_pitch(), tables_);
-    const FramePlanes planes = planes_.planes(frame);
+    const DevicePicture picture = pictures_.picture(frame);
+    make_frame_tables(plan, meshes_, picture, tables_);
     layout::FrameConstants constants = tables_.frame;
-    constants.keeps_blank_tiles &= planes.notes_hold ? 1u : 0u;
+    constants.keeps_blank_tiles &= picture.memory.notes_hold ? 1u : 0u;
     FinishAtExit finish_before_tables_go(queue());
     upload_tables();
     set_chunks(constants);
@@ -75,8 +75,8 @@ class DeviceRenderer : public Renderer {
       const Changes changes = first || !stays ? find_changes() : Changes{};
       kept_.forget();
       prepare(constants, changes);
-      shade(constants, planes);
-      drawn = finish(constants, planes);
+      shade(picture);
+      drawn = finish(constants, picture);
     }
     finish_before_tables_go.not_needed();
     kept_.remember(tables_);
@@ -242,25 +242,24 @@ class DeviceRenderer : public Renderer {
   }
 
   // From the bins to the pixels.
-  void shade(const layout::FrameConstants& constants, const FramePlanes& planes) {
+  void shade(const DevicePicture& picture) {
     const std::size_t tile_bytes = std::size_t{layout::tile} * layout::tile * 4;
-    launch(queue(), kernel("shade_tiles", "shade_tiles"),
-           cl::NDRange(static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y), cl::NDRange(1),
-           frame_.buffer(), draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(),
-           vertices_.buffer(), attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(),
-           clip_weights_.buffer(), status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(),
-           fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(),
-           entry_triangles_.buffer(), large_.buffer(), overflow_.buffer(), planes.color[0], planes.color[1],
-           planes.color[2], planes.color[3], planes.depth, planes.blank_blocks, LocalMemory{tile_bytes},
-           LocalMemory{tile_bytes});
+    for (const DevicePicture::Band& band : picture.bands)
+      launch(queue(), kernel("shade_tiles", "shade_tiles"), cl::NDRange(band.tiles), cl::NDRange(1), frame_.buffer(),
+             draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
+             attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(),
+             clip_weights_.buffer(), status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(),
+             fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(),
+             entry_triangles_.buffer(), large_.buffer(), overflow_.buffer(), band.first_tile, band.rows,
+             picture.blank_blocks, LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
   }
 
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
   // drawn again.
-  bool finish(const layout::FrameConstants& constants, const FramePlanes& planes) {
+  bool finish(const layout::FrameConstants& constants, const DevicePicture& picture) {
     checked("waiting for the frame",
             [&] { queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflowed_, &overflowed_); });
-    FramePlaneCache::bring_to_host(queue(), planes);
+    DevicePictures::bring_to_host(queue(), picture);
     if (overflowed_ == 0) return true;
     overflow_.map<uint>(queue(), 1)[0] = 0;
     const auto status = status_.map<const layout::ChunkStatus>(queue(), constants.chunk_count);
@@ -281,7 +280,7 @@ class DeviceRenderer : public Renderer {
   uint overflowed_ = 0;                                     // read by the queue, which may finish after an error
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   std::map<std::pair<DepthFormat, std::string>, cl::Kernel> kernels_;
-  FramePlaneCache planes_{session_->context()};
+  DevicePictures pictures_;
   FrameTables tables_;
   KeptVertices kept_;
   DeviceTable<layout::FrameConstants> frame_{session_->context()};
@@ -304,8 +303,8 @@ class DeviceRenderer : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session) {
-  return std::make_unique<DeviceRenderer>(std::move(session));
+std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t largest_band) {
+  return std::make_unique<DeviceRenderer>(std::move(session), largest_band);
 }
 
 }  // namespace morphcl

@@ -83,7 +83,14 @@ layout::LightConstants make_light_constants(const EyeLight& light) {
   return constants;
 }
 
-layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t row_pitch) {
+// A step through the tiles of a band that comes to each of them, whichever band it is: all have as many but the last.
+uint tile_step(const std::vector<DevicePicture::Band>& bands) {
+  uint step = 197;
+  while (std::gcd(step, bands.front().tiles) != 1 || std::gcd(step, bands.back().tiles) != 1) step += 2;
+  return step;
+}
+
+layout::FrameConstants make_frame_constants(const FramePlan& plan, const DevicePicture& picture) {
   layout::FrameConstants frame{};
   const RasterGrid grid(plan.width, plan.height);
   copy(plan.ambient, frame.ambient);
@@ -107,10 +114,10 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, std::size_t r
   frame.height = plan.height;
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
   frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;
-  frame.row_pitch = static_cast<uint>(row_pitch);
-  const uint tiles = static_cast<uint>(frame.tiles_x * frame.tiles_y);
-  frame.tile_step = 197;
-  while (std::gcd(frame.tile_step, tiles) != 1) frame.tile_step += 2;
+  frame.row_bytes = static_cast<uint>(picture.memory.row_bytes);
+  std::copy_n(picture.memory.color_offset, 4, frame.color_offset);
+  frame.depth_offset = static_cast<uint>(picture.memory.depth_offset);
+  frame.tile_step = tile_step(picture.bands);
   frame.parallel = plan.parallel;
   frame.light_count = static_cast<uint>(plan.lights.size());
   frame.has_point_lights =
@@ -207,7 +214,8 @@ std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& dra
 
 }  // namespace
 
-void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables) {
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const DevicePicture& picture,
+                       FrameTables& tables) {
   const DrawsOrigin origin{plan.planner, plan.draws_version};
   if (origin.version != 0 && tables.origin == origin) {
     renew_targets(plan, meshes, tables);
@@ -218,7 +226,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size
   }
   tables.lights.clear();
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
-  tables.frame = make_frame_constants(plan, row_pitch);
+  tables.frame = make_frame_constants(plan, picture);
   tables.frame.only_faces = tables.only_faces;
   if (!tables.draws.empty()) {
     const layout::DrawConstants& last = tables.draws.back();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/render/device/device_picture.hpp"
 #include "host/render/device/mesh_store.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/kernel_layout.hpp"
@@ -34,7 +35,8 @@ struct FrameTables {
 // Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must
 // still be stored where they were, or `origin` be cleared. Error(bad_input) when the frame has more vertices or
 // primitives than ids can number.
-void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, std::size_t row_pitch, FrameTables& tables);
+void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const DevicePicture& picture,
+                       FrameTables& tables);
 
 // For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.
 std::vector<layout::uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws);

@@ -14,7 +14,7 @@ static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 15));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
-static_assert(sizeof(FrameConstants) == 4 * 54);
+static_assert(sizeof(FrameConstants) == 4 * 59);
 static_assert(sizeof(ChunkStatus) == 16);
 static_assert(sizeof(LargeTriangle) == 64);
 

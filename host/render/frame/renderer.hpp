@@ -13,8 +13,9 @@ namespace morphcl {
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  // Draws the planned frame. The planes of `frame` that exist are filled, size from `frame`. May be called again with
-  // another plan of the same scene; buffers are kept between calls. Blocks until the pixels are in host memory.
+  // Draws the planned frame. Error(usage) when `frame` has another size or other channels than the plan. May be called
+  // again with another plan of the same scene; buffers are kept between calls. Blocks until the pixels are in host
+  // memory.
   virtual void render(const FramePlan& plan, FrameBuffer& frame) = 0;
   virtual std::string name() const = 0;
 };

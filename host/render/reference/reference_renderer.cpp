@@ -2,7 +2,7 @@
 
 #include <Imath/half.h>
 
-#include "host/error.hpp"
+#include "host/render/frame/require_fit.hpp"
 #include "host/render/reference/shade.hpp"
 
 namespace morphcl {
@@ -12,6 +12,7 @@ namespace {
 class ReferenceRenderer : public Renderer {
  public:
   void render(const FramePlan& plan, FrameBuffer& frame) override {
+    require_fit(plan, frame);
     const RasterGrid grid(plan.width, plan.height);
     std::vector<std::vector<reference::Vertex>> vertices;
     for (const Draw& draw : plan.draws) vertices.push_back(reference::project_vertices(draw, plan, grid));
@@ -20,14 +21,14 @@ class ReferenceRenderer : public Renderer {
     for (int y = 0; y < plan.height; ++y)
       for (int x = 0; x < plan.width; ++x) {
         const reference::Sample& sample = visible.samples[static_cast<std::size_t>(y) * plan.width + x];
-        const std::size_t at = y * frame.row_pitch() + x;
         const bool background = sample.order == reference::no_order;
         if (plan.color) {
           const glm::vec3 color = background ? glm::vec3(0.0f) : reference::shade(plan, visible, vertices, x, y);
-          for (int c = 0; c < 3; ++c) frame.color(c)[at] = imath_float_to_half(color[c]);
-          frame.color(3)[at] = imath_float_to_half(background ? 0.0f : 1.0f);
+          for (int c = 0; c < 3; ++c) frame.color_row(c, y)[x] = imath_float_to_half(color[c]);
+          frame.color_row(3, y)[x] = imath_float_to_half(background ? 0.0f : 1.0f);
         }
-        if (plan.depth) frame.depth()[at] = background ? background_depth : reference::eye_distance(plan, sample.depth);
+        if (plan.depth)
+          frame.depth_row(y)[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
       }
   }
   std::string name() const override { return "reference"; }

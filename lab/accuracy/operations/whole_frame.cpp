@@ -68,10 +68,9 @@ std::vector<TestScene> test_scenes() {
 std::uint64_t hash_of_frame(const FrameBuffer& frame) {
   XXH64_hash_t hash = 0;
   for (int y = 0; y < height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * frame.row_pitch();
-    for (int channel = 0; channel < 4; ++channel)
-      hash = XXH3_64bits_withSeed(frame.color(channel) + row, width * sizeof(std::uint16_t), hash);
-    hash = XXH3_64bits_withSeed(frame.depth() + row, width * sizeof(float), hash);
+    const auto add = [&](const auto& row) { hash = XXH3_64bits_withSeed(row.data(), row.size_bytes(), hash); };
+    for (int channel = 0; channel < 4; ++channel) add(frame.color_row(channel, y));
+    add(frame.depth_row(y));
   }
   return hash;
 }

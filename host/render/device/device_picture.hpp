@@ -1,0 +1,43 @@
+// Frame buffers as device buffers that use the frames' own memory.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "host/device/cl_error.hpp"
+#include "host/image/frame_buffer.hpp"
+#include "host/render/frame/kernel_layout.hpp"
+
+namespace morphcl {
+
+struct DevicePicture {
+  // Whole rows of tiles, from the top, that the device takes as one buffer; most pictures are one band.
+  struct Band {
+    cl::Buffer rows;  // of a frame without channels: its blank_blocks, for kernels want some buffer
+    layout::uint first_tile, tiles;
+  };
+  std::vector<Band> bands;
+  cl::Buffer blank_blocks;
+  FrameBuffer::Memory memory;
+};
+
+class DevicePictures {
+ public:
+  // No band gets more than `largest_band` bytes, where one row of tiles fits that; see make_device_renderer().
+  DevicePictures(cl::Context context, std::size_t largest_band);
+
+  DevicePicture picture(FrameBuffer& frame);
+
+  // Waits for the queue and brings the frame to host memory on devices that keep their own copy; on a CPU that costs
+  // next to nothing. What it gives back to the device is still queued then; it was only read, so nothing is copied.
+  static void bring_to_host(const cl::CommandQueue& queue, const DevicePicture& picture);
+
+ private:
+  cl::Buffer wrap(void* memory, std::size_t bytes);
+
+  cl::Context context_;
+  std::size_t largest_band_;
+  std::map<std::pair<void*, std::size_t>, cl::Buffer> buffers_;
+};
+
+}  // namespace morphcl
