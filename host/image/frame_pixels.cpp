@@ -1,0 +1,77 @@
+#include "host/image/frame_pixels.hpp"
+
+#include <half.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "host/error.hpp"
+#include "host/image/srgb.hpp"
+
+namespace morphcl {
+
+namespace {
+
+void require_color(const FrameBuffer& frame) {
+  if (!frame.has_color()) throw Error(ErrorKind::usage, "", "the colours of a frame without colour; ask for RGBA");
+}
+
+template <class T>
+std::vector<T> array_of(const FrameBuffer& frame) {
+  return std::vector<T>(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()) * 4);
+}
+
+// One channel of one pixel. `linear`: what is shown behind it.
+std::uint8_t over(std::uint16_t stored, float alpha, float linear) {
+  return srgb8(displayable_from_half()[stored] + (1 - alpha) * linear);
+}
+
+std::uint8_t straight(std::uint16_t stored, float alpha) {
+  return alpha > 0 ? srgb8(displayable_from_half()[stored] / alpha) : std::uint8_t{0};
+}
+
+}  // namespace
+
+std::vector<float> to_rgba32f(const FrameBuffer& frame) {
+  require_color(frame);
+  std::vector<float> pixels = array_of<float>(frame);
+  const std::size_t width = static_cast<std::size_t>(frame.width());
+  for (int y = 0; y < frame.height(); ++y)
+    for (int channel = 0; channel < 4; ++channel) {
+      const std::span<const std::uint16_t> row = frame.color_row(channel, y);
+      float* const out = pixels.data() + static_cast<std::size_t>(y) * width * 4 + channel;
+      for (std::size_t x = 0; x < width; ++x) out[4 * x] = imath_half_to_float(row[x]);
+    }
+  return pixels;
+}
+
+std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> background) {
+  require_color(frame);
+  std::array<float, 3> behind{};
+  if (background)
+    behind = {linear_from_srgb8(background->red), linear_from_srgb8(background->green),
+              linear_from_srgb8(background->blue)};
+  const auto& code = srgb8_from_half();
+  std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
+  std::uint8_t* out = pixels.data();
+  for (int y = 0; y < frame.height(); ++y) {
+    const std::span<const std::uint16_t> alphas = frame.color_row(3, y);
+    const std::array<std::span<const std::uint16_t>, 3> colors{frame.color_row(0, y), frame.color_row(1, y),
+                                                               frame.color_row(2, y)};
+    for (std::size_t x = 0; x < alphas.size(); ++x) {
+      const float alpha = std::min(displayable_from_half()[alphas[x]], 1.0f);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const std::uint16_t stored = colors[channel][x];
+        *out++ = alpha == 1   ? code[stored]
+                 : background ? over(stored, alpha, behind[channel])
+                              : straight(stored, alpha);
+      }
+      *out++ = background ? std::uint8_t{255} : static_cast<std::uint8_t>(std::lround(alpha * 255));
+    }
+  }
+  return pixels;
+}
+
+}  // namespace morphcl
