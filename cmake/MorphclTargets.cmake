@@ -38,6 +38,25 @@ function(morphcl_room_target room target_var)
   set(${target_var} morphcl_${name} PARENT_SCOPE)
 endfunction()
 
+# morphcl_embed_kernels(OUTPUT_VAR FUNCTION name DECLARED_IN header): a source file with the *.cl of the caller's folder, as
+# EmbedKernels.cmake makes it. They may include headers of kernels/.
+function(morphcl_embed_kernels output_var)
+  cmake_parse_arguments(EMBED "" "FUNCTION;DECLARED_IN" "" ${ARGN})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cl ${CMAKE_CURRENT_SOURCE_DIR}/*.h
+       ${PROJECT_SOURCE_DIR}/kernels/*.h)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/kernel_sources.cpp)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D FOLDER=${folder} -D HEADERS=kernels
+            -D COMPILER=${CMAKE_C_COMPILER} -D DECLARED_IN=${EMBED_DECLARED_IN} -D FUNCTION=${EMBED_FUNCTION}
+            -D OUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/EmbedKernels.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/EmbedKernels.cmake
+    COMMENT "Embedding ${folder}"
+    VERBATIM)
+  set(${output_var} ${output} PARENT_SCOPE)
+endfunction()
+
 # morphcl_add_room([SOURCES ...] [PACKAGES ...]): the folder of the caller, all its .cpp files and what the build makes
 # (SOURCES). It may include the rooms that rooms.txt allows and the PACKAGES.
 function(morphcl_add_room)

@@ -1,12 +1,13 @@
 // bin_primitives: set up triangles and lines and sort them into tiles.
 //
-// In:  vertices, indices, draws, blocks, clipped primitives.
-// Out, one set a chunk: fragments {depth, id, position in the tile} of lines and of triangles over at most 8 x 8 pixel
+// In:  vertices, indices, draws, clipped primitives.
+// Out, one set a chunk: fragments {depth, id, place in the tile} of lines and of triangles over at most 8 x 8 pixel
 //      centres, already rasterised; large triangles, set up, with an entry in every tile they may touch; both in pages.
-//      status[chunk]: how much room the chunk needed. What found no room raises *overflow and the frame is binned again.
+//      chunk_status[chunk]: how much room the chunk needed. What found no room raises the flag `overflow` and the frame is
+//      binned again.
 // Steps: 1 fetch 16 triangles, cull, classify; 2 rasterise the small ones, one lane a triangle; 3 set up the large ones;
 //        4 lines; 5 what clipping left of this chunk's primitives, as large triangles.
-// One work-item walks a chunk of blocks, near draws first: what they hide is then left out in the tiles at little cost.
+// One work-item walks a chunk of primitive groups, near draws first: what they hide is then left out in the tiles at little cost.
 // Nothing but the time depends on the order of entries.
 
 #ifndef MORPHCL_BIN_PRIMITIVES_H
@@ -16,16 +17,18 @@
 #include "vector.h"
 #include "raster.h"
 #include "depth_format.h"
+#include "tables.h"
 
+// A chunk's bins while they are filled.
 typedef struct {
   PagedBins fragments, entries;
-  global ulong* fragment_keys;    // bits of depth << 32 | id
-  global ushort* fragment_places; // row << 6 | column in the tile
-  global uint* entry_triangles;   // index into the chunk's large triangles, perhaps with ENTIRE_TILE
+  global ulong* fragment_keys;
+  global ushort* fragment_places;
+  global uint* entry_triangles;
   global LargeTriangle* large;
   uint large_count, large_capacity;
   int width, height, tiles_x;
-  constant const FrameConstants* frame;
+  global const FrameConstants* frame;
 } Bins;
 
 static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, uint id) {
@@ -158,9 +161,9 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
         vstore16(as_uint16(depth), 0, depth_bits);
         vstore16((y >> 6) * bins->tiles_x + (x >> 6), 0, tile);
         vstore16(((y & 63) << 6) | (x & 63), 0, place);
-        for (int half_of = 0; half_of < 2; half_of++)
-          for (ulong bytes = half_of ? lanes.y : lanes.x; bytes;) {
-            const int in_half = lowest_lane(bytes), lane = in_half + half_of * 8;
+        for (int half_vector = 0; half_vector < 2; half_vector++)
+          for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
+            const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
             bytes = without_lane(bytes, in_half);
             const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
             if (at >= bins->fragments.capacity * PAGE) continue;
@@ -179,14 +182,14 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
   }
 }
 
-static inline void bin_triangle_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
+static inline void bin_triangle_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,
                                       global const int4* vertices, uint first, uint first_id) {
   // Front faces get a positive area: on the screen y points down, so the second and third corner change places.
   const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0;
   global const uint* corner_a = indices + draw->indices + first;
   global const uint* corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
   global const uint* corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
-  global const int4* records = vertices + (size_t)draw->first_group * LANES;
+  global const int4* records = vertices + (size_t)draw->first_vertex_group * LANES;
   Triangles t;
   int16 unused;
   GATHER_RECORDS(records, corner_a, t.x[0], t.y[0], t.depth[0], unused)
@@ -221,19 +224,19 @@ static inline void bin_triangle_block(Bins* bins, global const DrawConstants* dr
     rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
   }
   const ulong2 lanes = mask_bytes(large);
-  for (int half_of = 0; half_of < 2; half_of++)
-    for (ulong bytes = half_of ? lanes.y : lanes.x; bytes;) {
-      const int in_half = lowest_lane(bytes), lane = in_half + half_of * 8;
+  for (int half_vector = 0; half_vector < 2; half_vector++)
+    for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
+      const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
       bytes = without_lane(bytes, in_half);
       bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
                          first_id + (uint)lane * 8, double_sided);
     }
 }
 
-static inline void bin_line_block(Bins* bins, global const DrawConstants* draw, global const uint* indices,
+static inline void bin_line_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,
                                   global const int4* vertices, uint first, uint first_id) {
   global const uint* start = indices + draw->indices + first;
-  global const int4* records = vertices + (size_t)draw->first_group * LANES;
+  global const int4* records = vertices + (size_t)draw->first_vertex_group * LANES;
   for (uint lane = 0; lane < LANES; lane++) {
     const int4 a = records[start[lane]], b = records[start[lane + draw->index_pitch]];
     if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * 8);
@@ -251,51 +254,52 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
                        (draw->flags & DRAW_DOUBLE_SIDED) != 0);
 }
 
-COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict frame,
-                             global const DrawConstants* restrict draws, global const uint* restrict block_draw,
-                             global const uint* restrict position_draw, global const uint* restrict indices,
-                             global const int4* restrict vertices, global const uint* restrict clip_source,
-                             global const uint* restrict clip_count, global uint* restrict fragment_heads,
-                             global uint* restrict fragment_next, global ulong* restrict fragment_keys,
-                             global ushort* restrict fragment_places, global uint* restrict entry_heads,
-                             global uint* restrict entry_next, global uint* restrict entry_triangles,
-                             global LargeTriangle* restrict large, global ChunkStatus* restrict status,
-                             global uint* restrict overflow) {
-  const uint tiles = (uint)(frame->tiles_x * frame->tiles_y);
+static inline Bins empty_bins(ChunkBins own, global const FrameConstants* frame) {
   Bins bins;
-  bins.fragments.heads = fragment_heads + (size_t)chunk * tiles;
-  bins.fragments.next = fragment_next + (size_t)chunk * frame->fragment_pages;
+  bins.fragments.heads = own.fragment_heads;
+  bins.fragments.next = own.fragment_next;
   bins.fragments.pages = 1;
   bins.fragments.capacity = frame->fragment_pages;
-  bins.entries.heads = entry_heads + (size_t)chunk * tiles;
-  bins.entries.next = entry_next + (size_t)chunk * frame->entry_pages;
+  bins.entries.heads = own.entry_heads;
+  bins.entries.next = own.entry_next;
   bins.entries.pages = 1;
   bins.entries.capacity = frame->entry_pages;
-  bins.fragment_keys = fragment_keys + (size_t)chunk * frame->fragment_pages * PAGE;
-  bins.fragment_places = fragment_places + (size_t)chunk * frame->fragment_pages * PAGE;
-  bins.entry_triangles = entry_triangles + (size_t)chunk * frame->entry_pages * PAGE;
-  bins.large = large + (size_t)chunk * frame->large_capacity;
+  bins.fragment_keys = own.fragment_keys;
+  bins.fragment_places = own.fragment_places;
+  bins.entry_triangles = own.entry_triangles;
+  bins.large = own.large;
   bins.large_count = 0;
   bins.large_capacity = frame->large_capacity;
   bins.width = frame->width;
   bins.height = frame->height;
   bins.tiles_x = frame->tiles_x;
   bins.frame = frame;
-  for (uint tile = 0; tile < tiles; tile++) {
+  for (int tile = 0; tile < frame->tiles_x * frame->tiles_y; tile++) {
     bins.fragments.heads[tile] = 0;
     bins.entries.heads[tile] = 0;
   }
+  return bins;
+}
 
-  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
-  for (uint position = chunk * frame->blocks_per_chunk; position < end; position++) {
-    global const DrawConstants* draw = &draws[position_draw[position]];
-    const uint block = position - draw->first_position, first_id = (draw->first_block + block) * LANES * 8;
+COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict frame,
+                             global const DrawConstants* restrict draws, global const uint* restrict indices,
+                             global const int4* restrict vertices, global const ClippedPrimitive* restrict clipped,
+                             global ulong* restrict fragment_keys, global BinsHeader* restrict shared_bins,
+                             global LargeTriangle* restrict large) {
+  Bins bins = empty_bins(bins_of_chunk(chunk, frame, shared_bins, fragment_keys, large), frame);
+  const GroupRange groups = primitive_groups_of(chunk, frame);
+  for (uint order = groups.first; order < groups.end; order++) {
+    global const DrawConstants* draw = &draws[draw_in_order(draws, frame)[order]];
+    const uint group = order - draw->first_in_order;
+    const uint first_id = (draw->first_primitive_group + group) * LANES * 8;
     if (draw->flags & DRAW_LINES)
-      bin_line_block(&bins, draw, indices, vertices, block * LANES, first_id);
+      bin_line_group(&bins, draw, indices, vertices, group * LANES, first_id);
     else
-      bin_triangle_block(&bins, draw, indices, vertices, block * LANES, first_id);
+      bin_triangle_group(&bins, draw, indices, vertices, group * LANES, first_id);
   }
 
+  global ChunkStatus* status = chunk_status(shared_bins, frame);
+  bool overflows = false;
   if (frame->clips) {
     uint first_slot = 0, total = 0;
     for (uint i = 0; i < frame->chunk_count; i++) {
@@ -303,17 +307,19 @@ COMPILED_ONCE void bin_chunk(uint chunk, constant const FrameConstants* restrict
       total += status[i].clipped;
     }
     const uint end_slot = min(first_slot + status[chunk].clipped, frame->clip_capacity);
-    for (uint slot = first_slot; slot < end_slot; slot++)
-      bin_clipped(&bins, &draws[block_draw[clip_source[slot] / LANES]],
-                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clip_count[slot], clip_source[slot] * 8);
-    if (total > frame->clip_capacity) atomic_or(overflow, 1u);
+    for (uint slot = first_slot; slot < end_slot; slot++) {
+      const uint source = clipped[slot].source;
+      bin_clipped(&bins, &draws[draw_of_primitive_group(draws, frame)[source / LANES]],
+                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clipped[slot].count, source * 8);
+    }
+    overflows = total > frame->clip_capacity;
   }
   status[chunk].fragment_pages = bins.fragments.pages;
   status[chunk].entry_pages = bins.entries.pages;
   status[chunk].large = bins.large_count;
-  if (bins.fragments.pages > frame->fragment_pages || bins.entries.pages > frame->entry_pages ||
-      bins.large_count > frame->large_capacity)
-    atomic_or(overflow, 1u);
+  overflows |= bins.fragments.pages > frame->fragment_pages || bins.entries.pages > frame->entry_pages ||
+               bins.large_count > frame->large_capacity;
+  if (overflows) atomic_or(&shared_bins->overflow, 1u);
 }
 
 #endif

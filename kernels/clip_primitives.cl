@@ -1,15 +1,15 @@
 #pragma OPENCL FP_CONTRACT OFF
 // clip_primitives: cuts triangles and lines that touch the near plane or the guard band, in homogeneous clip space.
 //
-// In:  vertices as projection left them (OUTSIDE marks the corners in question), indices, draws, blocks, mesh data.
-// Out: slot s holds one clipped primitive: clip_source[s] its number, clip_count[s] its corners (2 for a line, 3 to 8 for
-//      a polygon), its corners as vertex records at first_clip_vertex + 8 s, and for each corner the weights of the source
-//      triangle's three vertices. Slots are in order of the primitives' numbers, whatever the number of work-items.
+// In:  vertices as projection left them (OUTSIDE marks the corners in question), indices, draws, targets, mesh data.
+// Out: clipped[slot] one clipped primitive: the number of its source, how many corners it has (2 of a line, 3 to 8 of a
+//      polygon), and for each corner the weights of the source triangle's three vertices; its corners as vertex records at
+//      first_clip_vertex + 8 * slot. Slots are in order of the primitives' numbers, whatever the number of work-items.
 // Steps: count_clipped counts a chunk's primitives; clip_primitives starts where the earlier chunks end and, for each
-//      primitive in order, 1 transforms its corners again, 2 cuts by near, left, right, top, bottom, 3 snaps what is left.
+//      primitive in order, 1 transforms its corners again, 2 cuts by the planes near, left, right, bottom, top, 3 snaps what is left.
 // The cut of an edge is computed from its inner to its outer end and depends on nothing else, so the two triangles at a
 // shared edge get the same bits; the plane's own coordinate is set, not computed.
-// One work-item walks a chunk of blocks. What does not fit into the pool is counted but not stored.
+// One work-item walks a chunk of primitive groups. What does not fit into the pool is counted but not stored.
 
 #include "layout.h"
 #include "vector.h"
@@ -17,6 +17,7 @@
 #include "depth_format.h"
 #include "two_float.h"
 #include "precise_vertices.h"
+#include "tables.h"
 
 typedef struct {
   float x, y, z, w;
@@ -24,7 +25,7 @@ typedef struct {
 } Corner;
 
 static inline uint corner_record(global const DrawConstants* draw, global const uint* indices, uint corner, uint primitive) {
-  return draw->first_group * LANES + indices[draw->indices + corner * draw->index_pitch + primitive];
+  return draw->first_vertex_group * LANES + indices[draw->indices + corner * draw->index_pitch + primitive];
 }
 
 // Whether a primitive needs a slot: some corner is outside, but not all of them outside the same plane, none invalid.
@@ -35,38 +36,35 @@ static inline bool needs_clipping(global const int4* vertices, uint a, uint b, u
   return some != 0 && all == 0 && (some & OUT_INVALID) == 0;
 }
 
-COMPILED_ONCE void count_chunk(uint chunk, constant const FrameConstants* restrict frame,
-                               global const DrawConstants* restrict draws, global const uint* restrict block_draw,
-                               global const uint* restrict indices, global const int4* restrict vertices,
-                               global const uint* restrict vertex_status, uint vertex_chunks,
-                               global ChunkStatus* restrict status) {
+COMPILED_ONCE void count_chunk(uint chunk, global const FrameConstants* restrict frame,
+                               global const DrawConstants* restrict draws, global const uint* restrict indices,
+                               global const int4* restrict vertices, global BinsHeader* restrict bins) {
+  global const uint* vertex_status = vertex_chunk_status(bins, frame);
+  const uint vertex_chunks = (frame->vertex_group_count + VERTEX_GROUPS_PER_CHUNK - 1) / VERTEX_GROUPS_PER_CHUNK;
   uint outside = 0, count = 0;
   for (uint i = 0; i < vertex_chunks; i++) outside |= vertex_status[i];
   if (outside) {
-    const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
-    for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-      global const DrawConstants* draw = &draws[block_draw[block]];
+    const GroupRange groups = primitive_groups_of(chunk, frame);
+    for (uint group = groups.first; group < groups.end; group++) {
+      global const DrawConstants* draw = &draws[draw_of_primitive_group(draws, frame)[group]];
       for (uint lane = 0; lane < LANES; lane++) {
-        const uint primitive = (block - draw->first_block) * LANES + lane;
+        const uint primitive = (group - draw->first_primitive_group) * LANES + lane;
         count += needs_clipping(vertices, corner_record(draw, indices, 0, primitive),
                                 corner_record(draw, indices, 1, primitive), corner_record(draw, indices, 2, primitive));
       }
     }
   }
-  status[chunk].clipped = count;
+  chunk_status(bins, frame)[chunk].clipped = count;
 }
 
-kernel void count_clipped(constant const FrameConstants* frame, global const DrawConstants* draws,
-                          global const uint* block_draw, global const uint* indices, global const int4* vertices,
-                          global const uint* vertex_status, uint vertex_chunks, global ChunkStatus* status) {
-  count_chunk((uint)get_global_id(0), frame, draws, block_draw, indices, vertices, vertex_status, vertex_chunks,
-              status);
+kernel void count_clipped(global const FrameConstants* frame, global const DrawConstants* draws,
+                          global const uint* indices, global const int4* vertices, global BinsHeader* bins) {
+  count_chunk((uint)get_global_id(0), frame, draws, indices, vertices, bins);
 }
 
 // The source vertex in clip space. Sixteen lanes are loaded and one is kept: the arithmetic must be projection's own.
-static inline Corner source_corner(global const DrawConstants* draw, global const TargetConstants* targets,
-                                   global const PreciseConstants* precise,
-                                   global const float* mesh_data, uint vertex, int number) {
+static inline Corner source_corner(global const DrawConstants* draw, global const PreciseConstants* precise,
+                                   global const TargetConstants* targets, global const float* mesh_data, uint vertex, int number) {
   const uint at = vertex & ~(LANES - 1u), lane = vertex & (LANES - 1u);
   float16 x, y, z;
   const ClipPoints p = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
@@ -85,7 +83,7 @@ static inline Corner source_corner(global const DrawConstants* draw, global cons
 }
 
 // Planes in order: near, left, right, bottom, top. Positive inside.
-static inline float plane_distance(const Corner* c, int plane, constant const FrameConstants* frame) {
+static inline float plane_distance(const Corner* c, int plane, global const FrameConstants* frame) {
   if (plane == 0) return near_distance((float16)(c->z), (float16)(c->w), frame).s0;
   if (plane == 1) return fma(frame->guard_x, c->w, c->x);
   if (plane == 2) return fma(frame->guard_x, c->w, -c->x);
@@ -97,7 +95,7 @@ static inline float plane_distance(const Corner* c, int plane, constant const Fr
 static inline float mix_exact_ends(float a, float b, float t) { return fma(t, b, fma(-t, a, a)); }
 
 static inline Corner cut(const Corner* inner, const Corner* outer, float inner_distance, float outer_distance, int plane,
-                         constant const FrameConstants* frame) {
+                         global const FrameConstants* frame) {
   const float t = inner_distance / (inner_distance - outer_distance);
   Corner c;
   c.x = mix_exact_ends(inner->x, outer->x, t);
@@ -106,8 +104,8 @@ static inline Corner cut(const Corner* inner, const Corner* outer, float inner_d
   c.w = mix_exact_ends(inner->w, outer->w, t);
   FOR_THREE(i) c.weight[i] = mix_exact_ends(inner->weight[i], outer->weight[i], t);
   if (plane == 0) {
-    c.w = frame->near_w;
-    c.z = frame->near_depth * c.w;
+    c.w = frame->camera.near_w;
+    c.z = frame->camera.near_depth * c.w;
   } else if (plane == 1) {
     c.x = -frame->guard_x * c.w;
   } else if (plane == 2) {
@@ -126,7 +124,7 @@ static inline void add_corner(Corner* out, int* count, Corner corner) {
 }
 
 // Cuts the closed polygon (or, with two corners, the open segment) by one plane; returns the number of corners left.
-static inline int cut_by_plane(const Corner* in, int count, Corner* out, int plane, constant const FrameConstants* frame) {
+static inline int cut_by_plane(const Corner* in, int count, Corner* out, int plane, global const FrameConstants* frame) {
   const int edges = count == 2 ? 1 : count;
   int left = 0;
   for (int i = 0; i < edges; i++) {
@@ -140,22 +138,20 @@ static inline int cut_by_plane(const Corner* in, int count, Corner* out, int pla
   return left;
 }
 
-COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restrict frame,
+COMPILED_ONCE void clip_chunk(uint chunk, global const FrameConstants* restrict frame,
                               global const DrawConstants* restrict draws,
-                              global const TargetConstants* restrict targets,
-                              global const PreciseConstants* restrict precise, global const uint* restrict block_draw,
-                              global const uint* restrict indices, global const float* restrict mesh_data,
-                              global int4* restrict vertices, global const ChunkStatus* restrict status,
-                              global uint* restrict clip_source, global uint* restrict clip_count,
-                              global float4* restrict clip_weights) {
+                              global const TargetConstants* restrict targets, global const float* restrict mesh_data,
+                              global const uint* restrict indices, global int4* restrict vertices,
+                              global ClippedPrimitive* restrict clipped, global BinsHeader* restrict bins) {
+  global const ChunkStatus* status = chunk_status(bins, frame);
   if (status[chunk].clipped == 0) return;
   uint slot = 0;
   for (uint i = 0; i < chunk; i++) slot += status[i].clipped;
-  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
-  for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-    global const DrawConstants* draw = &draws[block_draw[block]];
+  const GroupRange groups = primitive_groups_of(chunk, frame);
+  for (uint group = groups.first; group < groups.end; group++) {
+    global const DrawConstants* draw = &draws[draw_of_primitive_group(draws, frame)[group]];
     for (uint lane = 0; lane < LANES; lane++) {
-      const uint primitive = (block - draw->first_block) * LANES + lane;
+      const uint primitive = (group - draw->first_primitive_group) * LANES + lane;
       uint record[3];
       FOR_THREE(i) record[i] = corner_record(draw, indices, i, primitive);
       if (!needs_clipping(vertices, record[0], record[1], record[2])) continue;
@@ -166,13 +162,14 @@ COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restric
       Corner corners[CLIP_VERTICES], scratch[CLIP_VERTICES];
       int count = draw->flags & DRAW_LINES ? 2 : 3;
       for (int i = 0; i < count; i++)
-        corners[i] = source_corner(draw, targets, precise, mesh_data, record[i] - draw->first_group * LANES, i);
+        corners[i] = source_corner(draw, precise_constants(frame), targets, mesh_data, record[i] - draw->first_vertex_group * LANES, i);
       for (int plane = 0; plane < 5 && count > 0; plane++) {
         count = cut_by_plane(corners, count, scratch, plane, frame);
         for (int i = 0; i < count; i++) corners[i] = scratch[i];
       }
-      clip_source[slot] = block * LANES + lane;
-      clip_count[slot] = count;
+      global ClippedPrimitive* kept = &clipped[slot];
+      kept->source = group * LANES + lane;
+      kept->count = count;
       for (int i = 0; i < count; i++) {
         const Corner c = corners[i];
         const float inverse_w = 1.0f / c.w;
@@ -180,19 +177,16 @@ COMPILED_ONCE void clip_chunk(uint chunk, constant const FrameConstants* restric
         const int y = snap((float16)(c.y), (float16)(c.w), frame->scale_y, frame->offset_y).s0;
         const float depth = vertex_depth((float16)(c.z), (float16)(c.w), (float16)(inverse_w), frame).s0;
         vertices[frame->first_clip_vertex + slot * CLIP_VERTICES + i] = (int4)(x, y, as_int(depth), as_int(inverse_w));
-        clip_weights[slot * CLIP_VERTICES + i] = (float4)(c.weight[0], c.weight[1], c.weight[2], 0.0f);
+        FOR_THREE(v) kept->weights[i][v] = c.weight[v];
       }
       slot++;
     }
   }
 }
 
-kernel void clip_primitives(constant const FrameConstants* frame, global const DrawConstants* draws,
-                            global const TargetConstants* targets, global const PreciseConstants* precise,
-                            global const uint* block_draw,
-                            global const uint* indices, global const float* mesh_data, global int4* vertices,
-                            global const ChunkStatus* status, global uint* clip_source, global uint* clip_count,
-                            global float4* clip_weights) {
-  clip_chunk((uint)get_global_id(0), frame, draws, targets, precise, block_draw, indices, mesh_data, vertices, status,
-             clip_source, clip_count, clip_weights);
+kernel void clip_primitives(global const FrameConstants* frame, global const DrawConstants* draws,
+                            global const TargetConstants* targets, global const float* mesh_data,
+                            global const uint* indices, global int4* vertices, global ClippedPrimitive* clipped,
+                            global BinsHeader* bins) {
+  clip_chunk((uint)get_global_id(0), frame, draws, targets, mesh_data, indices, vertices, clipped, bins);
 }

@@ -4,8 +4,11 @@
 #ifndef MORPHCL_DEPTH_FORMAT_H
 #define MORPHCL_DEPTH_FORMAT_H
 
+// What both include stands here, before the choice: the build puts a header in where it is included first.
+#include "layout.h"
 #include "raster.h"
 #include "two_float.h"
+#include "vector.h"
 
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
 #include "reversed_depth.h"

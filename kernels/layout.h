@@ -1,29 +1,60 @@
 // What host and kernels share: the structs in buffers and the constants of the raster design. Included by the kernels and,
 // through host/render/frame/kernel_layout.hpp, by the host, which checks the sizes.
 //
-// Names: a *vertex* is one record after projection; a *group* is 16 vertices of one draw; a *block* is 16 primitives of one
-// draw; a *chunk* is a run of groups or blocks that one work-item walks through; a *tile* is 64 x 64 pixels.
-// Blocks are numbered in drawing order and binned draw by draw from near to far: a block's place in that order is its
-// *position*. A primitive's number counts through all blocks of the frame: block * 16 + lane. An *id* is number * 8 + piece, piece 0
-// for a primitive drawn as it is and 1 to 7 for the triangles that clipping cut it into, so ids compare in drawing order.
+// The picture. Tiles are numbered row by row, blocks within a tile likewise, pixels by sub-pixels of 1/256, y downwards:
+//
+//     tile of 64 x 64 pixels        block of 16 x 16 pixels       pixel
+//     +----+----+----+----+         +----------------+            +-----------------+
+//     |  0 |  1 |  2 |  3 |         | row: 16 pixels |            | 256 x 256       |
+//     +----+----+----+----+         | = one vector,  |            | sub-pixels;     |
+//     |  4 |  5 |  6 |  7 |         | one pixel a    |            | its centre is   |
+//     +----+----+----+----+         | lane           |            | at (128, 128)   |
+//     |  8 |  9 | 10 | 11 |         |                |            |                 |
+//     +----+----+----+----+         |                |            |                 |
+//     | 12 | 13 | 14 | 15 |         |                |            |                 |
+//     +----+----+----+----+         +----------------+            +-----------------+
+//
+// The order of things. Vertices and primitives of all draws follow each other, each draw's padded to whole groups of 16:
+//
+//     vertex group      |--- draw 0 ---|- draw 1 -|---- draw 2 ----|    vertex i of a draw: record first_vertex_group * 16 + i
+//     primitive group   |- draw 0 -|--- draw 1 ---|- draw 2 -|          number = group * 16 + lane, id = number * 8 + piece
+//     order of binning  |- draw 2 -|- draw 0 -|--- draw 1 ---|          the same primitive groups, near draws first
+//     chunk             |=====0=====|=====1=====|====2====|             a run of groups that one work-item walks through
+//
+// An id has piece 0 for a primitive drawn as it is and 1 to 7 for the triangles that clipping cut it into, so that ids
+// compare in drawing order.
+//
+// The bins of a chunk: for each tile a list of pages of 64 entries, filled one after the other; page 0 stands for "none".
+//
+//     heads[tile] ---> behind the newest entry of page 7      next[7] = 3, next[3] = 0: page 3 was filled before page 7
+//
+//     page  0          3                     7
+//           (none) ... [eeeeeeeeeeeeeeee] .. [eeeee...........]
 
 #ifndef MORPHCL_LAYOUT_H
 #define MORPHCL_LAYOUT_H
 
-#define LANES 16
+#include "camera.h"
+
+#define LANES 16              // of a vector; vertices or primitives in a group
 #define TILE 64               // pixels; also 64 x 64 = 4096 samples in a tile
 #define TILE_BLOCK 16         // pixels; a tile has 4 x 4 of them
 #define SUBPIXEL_BITS 8       // vertices are snapped to 1/256 pixel
+#define SUBPIXELS (1 << SUBPIXEL_BITS)
+#define HALF_PIXEL (SUBPIXELS / 2)
+#define MAX_SUBPIXEL 0x1p23f  // snapped coordinates within the guard band are at most this
+#define MAX_GUARD 4096.0f     // of the guard band's factor, so that tiny images do not overflow w
 #define SMALL_PIXELS 8        // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
 #define PAGE 64               // entries a page of the bins
 #define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
 #define CLIP_VERTICES 8       // a triangle clipped by five planes has at most 8 corners
-#define GROUPS_PER_CHUNK 64   // vertex groups a work-item transforms
+#define VERTEX_GROUPS_PER_CHUNK 64
 
 #define NO_ID 0xffffffffu     // a sample that nothing covers
 #define OUTSIDE ((int)0x80000000)  // in place of x: the vertex needs clipping, y holds its outcode
 #define BACKGROUND_DEPTH 1e10f
-#define LARGEST_CLIP 1e33f    // clip coordinates beyond this are invalid: guard factor times w must not overflow
+#define MAX_CLIP_COORDINATE 1e33f  // what is beyond is invalid: guard factor times w must not overflow
+#define MIN_NORMAL_SQUARE 0x1p-20f  // a morphed normal shorter than 2^-10 has been cancelled: the base's is taken
 
 // Depth buffers, as in host/math/depth_format.hpp. A program is compiled for one of them.
 #define DEPTH_REVERSED_FLOAT 0
@@ -34,6 +65,7 @@
 #ifndef DEPTH_FORMAT
 #define DEPTH_FORMAT DEPTH_REVERSED_FLOAT
 #endif
+#define MAX_NORMALIZED_DEPTH 0x1p60f  // triangles that reach farther beyond the far plane are bent
 
 // Outcode bits: outside the near plane or a side of the guard band, or not finite.
 #define OUT_NEAR 1
@@ -48,10 +80,28 @@
 #define DRAW_DOUBLE_SIDED 2u   // back faces are drawn, their normals turned round
 #define DRAW_MIRRORED 4u       // front faces turn clockwise in object space
 #define DRAW_SMOOTH 8u         // normals are interpolated and lit per pixel
-#define DRAW_FLAT 16u          // one irradiance a face
+#define DRAW_FLAT 16u          // one colour a face
 #define DRAW_VERTEX_COLORS 32u
 #define DRAW_PIVOT 64u         // vertices are computed relative to a pivot, which the matrices have taken in
 #define DRAW_TWO_FLOAT 128u    // vertices are computed in two floats
+
+// ---- buffers --------------------------------------------------------------------------------------------------------
+//
+// A kernel takes at most 12 buffers; small tables share one, told apart by offsets in FrameConstants. Sharing lowers no
+// limit, though a device may allocate no more than a quarter of its memory at once:
+//
+//   frame          constants, lights, numbers of changed vertex chunks, precise constants. At most 80 bytes a draw and 4 a
+//                  chunk of 64 vertex groups, while a draw has at least 256 bytes of vertices. (Lights are read for every
+//                  pixel: time ends them, not memory.)
+//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 236 a draw,
+//                  4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at least 256 a
+//                  primitive group: one of them is the larger.
+//   clipped        source and weights: 104 bytes a primitive, whose corners take 128 of the vertices.
+//   bins           all of the bins but the fragments' keys and the large triangles. Lists of the tiles take 268 bytes a tile
+//                  and chunk, the rest a quarter of the keys. Where that is too much, there are fewer chunks: of one chunk
+//                  the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp).
+//   fragment_keys, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets: each on its own, since
+//   any of them can be the largest.
 
 typedef struct {
   float object_to_clip[4][4];  // rows x, y, depth, w; entry 3 is the constant
@@ -59,10 +109,10 @@ typedef struct {
   float normal_to_eye[3][4];   // entry 3 unused
   float base_color[4];
   uint flags;
-  uint first_group;      // of this draw's vertices; vertex i is record first_group * 16 + i
-  uint group_count;
-  uint first_block, block_count;  // lane l of block b is primitive (b - first_block) * 16 + l of the mesh
-  uint first_position;   // of its blocks in the order in which they are binned
+  uint first_vertex_group;  // of this draw's vertices; vertex i is record first_vertex_group * 16 + i
+  uint vertex_group_count;
+  uint first_primitive_group, primitive_group_count;
+  uint first_in_order;   // of its primitive groups in the order of binning
   uint positions;        // float index of x in the mesh data; y and z follow at distance `pitch`
   uint normals;
   uint colors;           // r, g, b, a planes
@@ -97,27 +147,50 @@ typedef struct {
   uint pad[2];
 } LightConstants;
 
+// A primitive that clipping cut; its corners are vertex records from first_clip_vertex + 8 * slot on.
 typedef struct {
-  float ambient[4];
+  uint source;                      // number of the primitive
+  uint count;                       // corners: 2 of a line, 3 to 8 of a polygon, 0 of nothing
+  float weights[CLIP_VERTICES][3];  // of each corner at the source triangle's vertices
+} ClippedPrimitive;
+
+// What a chunk found out while binning, for the host: pools that were too small are grown and the frame is binned again.
+typedef struct {
+  uint clipped, fragment_pages, entry_pages, large;
+} ChunkStatus;
+
+// What the buffer of the bins begins with.
+typedef struct {
+  uint overflow;  // not 0: some pool was too small
+  uint pad[15];
+} BinsHeader;
+
+// Where the tables in `bins` begin, in bytes.
+typedef struct {
+  ulong chunk_status;         // ChunkStatus of each chunk
+  ulong vertex_chunk_status;  // uint of each chunk of vertices: not 0 when some need clipping
+  ulong fragment_heads;       // uint[chunk][tile]
+  ulong entry_heads;          // uint[chunk][tile]
+  ulong fragment_next;        // uint[chunk][page]
+  ulong entry_next;           // uint[chunk][page]
+  ulong entry_triangles;      // uint[chunk][page][entry]: index of a large triangle, perhaps with ENTIRE_TILE
+  ulong fragment_places;      // ushort[chunk][page][entry]: row << 6 | column in the tile
+} BinsOffsets;
+
+typedef struct {
+  BinsOffsets bins;
+  CameraConstants camera;
+  float ambient[3];
   float scale_x, offset_x, scale_y, offset_y;  // sub-pixel = ndc * scale + offset
   float guard_x, guard_y;                      // clip against |x| <= guard * w
-  float near_plane[4];                         // distance in front of it: [0] z + [1] w + [2]; entry 3 unused
-  float near_w, near_depth;                    // w and depth = z / w on the near plane
-  float far_depth;                             // smaller depths are not drawn
-  float near;                                  // perspective: distance = near / depth; parallel: -depth
-  // Of forward depth buffers: the depth of the far plane and the factor of closeness, each as two floats; 1 / factor.
-  float depth_far[2], depth_scale[2], depth_span;
-  float ray[4];                                // eye position of a pixel: FramePlan::ray and slant
-  float slant[2];
   int width, height;
   int tiles_x, tiles_y;
   uint row_bytes;          // from one row of the picture to the next
-  uint color_offset[4], depth_offset;  // bytes from the start of a row to R, G, B, A and to the distances in it
-  uint tile_step;          // tiles are walked in steps of this, coprime to their number, to spread the load
-  uint parallel;
+  uint color_offset[4], depth_offset, notes_offset;  // bytes from the start of a row to R, G, B, A, the distances, the notes
+  uint tile_step;          // tiles are walked in steps of this, coprime to their number in each launch, to spread the load
   uint light_count, has_point_lights;
-  uint group_count, block_count;
-  uint chunk_count, blocks_per_chunk;
+  uint vertex_group_count, primitive_group_count;
+  uint chunk_count, primitive_groups_per_chunk;
   uint clip_capacity;      // clipped primitives that fit
   uint first_clip_vertex;  // record index where clipped corners start
   uint fragment_pages, entry_pages, large_capacity;  // of one chunk
@@ -127,12 +200,10 @@ typedef struct {
   uint divides;            // 0: w is 1 everywhere
   uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written
+  // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
+  uint lights, changed_vertex_chunks, precise;
+  uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
 } FrameConstants;
-
-// What a chunk found out while binning, for the host: pools that were too small are grown and the frame is binned again.
-typedef struct {
-  uint clipped, fragment_pages, entry_pages, large;
-} ChunkStatus;
 
 // How depth runs over a triangle a b c: kernels/reversed_depth.h and kernels/forward_depth.h.
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
@@ -146,8 +217,8 @@ typedef struct {
 } DepthPlane;
 #else
 typedef struct {
-  float a[2], b[2], c[2];  // closeness of the corners over the doubled area, each as two floats
-  uint least, greatest;    // of the corners' keys
+  float a[2], b[2], c[2];  // normalized depth of the corners over the doubled area, each as two floats
+  uint min_key, max_key;   // of the corners
   uint in_range;           // no part is beyond the far plane
 } DepthPlane;
 #endif

@@ -3,13 +3,17 @@
 #ifndef MORPHCL_LIGHT_H
 #define MORPHCL_LIGHT_H
 
+#include "layout.h"
+#include "tables.h"
+#include "vector.h"
+
 typedef struct {
   float16 x, y, z;
 } EyeVector;
 
 typedef struct {
   float16 r, g, b;
-} Irradiance;
+} Rgb;
 
 // a b - c d within 1.5 ulp (Kahan): the rounding error of c d is computed by fma and put back.
 ALWAYS_INLINE float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
@@ -21,12 +25,12 @@ ALWAYS_INLINE float16 dot_product(EyeVector a, EyeVector b) { return fma(a.x, b.
 
 // ambient + sum of color * max(cos, 0) (/ distance^2 where the light falls off). The normal has any length; where it is
 // zero only the ambient light counts.
-ALWAYS_INLINE Irradiance irradiance(constant const FrameConstants* frame, global const LightConstants* lights,
-                                    EyeVector normal, EyeVector position) {
+ALWAYS_INLINE Rgb lambert(global const FrameConstants* frame, EyeVector normal, EyeVector position) {
+  global const LightConstants* lights = lights_of(frame);
   const float16 length = sqrt(dot_product(normal, normal));
   const int16 has_normal = length > 0.0f;
   const float16 normal_length = select((float16)1.0f, length, has_normal);
-  Irradiance sum;
+  Rgb sum;
   sum.r = frame->ambient[0];
   sum.g = frame->ambient[1];
   sum.b = frame->ambient[2];

@@ -1,11 +1,11 @@
 // light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing.
 //
-// In:  attributes of flat draws (morphed positions in object space), indices, draws, blocks, lights.
-// Out: face_color[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every light
+// In:  attributes of flat draws (morphed positions in object space), indices, draws, lights.
+// Out: face_colors[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every light
 //      gives at the triangle's centre.
 // Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
 // double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
-// One work-item walks a chunk of blocks.
+// One work-item walks a chunk of primitive groups.
 
 #ifndef MORPHCL_LIGHT_FACES_H
 #define MORPHCL_LIGHT_FACES_H
@@ -13,19 +13,19 @@
 #include "layout.h"
 #include "vector.h"
 #include "light.h"
+#include "tables.h"
 
-COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restrict frame,
-                               global const DrawConstants* restrict draws, global const uint* restrict block_draw,
-                               global const uint* restrict indices, global const LightConstants* restrict lights,
-                               global const int4* restrict attributes, global int4* restrict face_color) {
-  const uint end = min((chunk + 1) * frame->blocks_per_chunk, frame->block_count);
-  for (uint block = chunk * frame->blocks_per_chunk; block < end; block++) {
-    global const DrawConstants* draw = &draws[block_draw[block]];
+COMPILED_ONCE void light_chunk(uint chunk, global const FrameConstants* restrict frame,
+                               global const DrawConstants* restrict draws, global const uint* restrict indices,
+                               global const int4* restrict attributes, global int4* restrict face_colors) {
+  const GroupRange groups = primitive_groups_of(chunk, frame);
+  for (uint group = groups.first; group < groups.end; group++) {
+    global const DrawConstants* draw = &draws[draw_of_primitive_group(draws, frame)[group]];
     if (!(draw->flags & DRAW_FLAT)) continue;
-    global const uint* corner_a = indices + draw->indices + (block - draw->first_block) * LANES;
+    global const uint* corner_a = indices + draw->indices + (group - draw->first_primitive_group) * LANES;
     global const uint* corner_b = corner_a + draw->index_pitch;
     global const uint* corner_c = corner_b + draw->index_pitch;
-    global const int4* positions = attributes + (size_t)draw->first_group * LANES;
+    global const int4* positions = attributes + (size_t)draw->first_vertex_group * LANES;
     int16 x0, y0, z0, x1, y1, z1, x2, y2, z2, unused;
     GATHER_RECORDS(positions, corner_a, x0, y0, z0, unused)
     GATHER_RECORDS(positions, corner_b, x1, y1, z1, unused)
@@ -56,9 +56,9 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
     if (draw->flags & DRAW_DOUBLE_SIDED) {
       // Along the line of sight through the face, away from the viewer.
       EyeVector away = centre;
-      if (frame->parallel) {
-        away.x = frame->slant[0];
-        away.y = frame->slant[1];
+      if (frame->camera.parallel) {
+        away.x = frame->camera.slant[0];
+        away.y = frame->camera.slant[1];
         away.z = -1.0f;
       }
       const int16 back = dot_product(normal, away) > 0.0f;
@@ -66,9 +66,9 @@ COMPILED_ONCE void light_chunk(uint chunk, constant const FrameConstants* restri
       normal.y = select(normal.y, -normal.y, back);
       normal.z = select(normal.z, -normal.z, back);
     }
-    const Irradiance light = irradiance(frame, lights, normal, centre);
+    const Rgb light = lambert(frame, normal, centre);
     store_records(as_int16(light.r * draw->base_color[0]), as_int16(light.g * draw->base_color[1]),
-                  as_int16(light.b * draw->base_color[2]), (int16)0, face_color + (size_t)block * LANES);
+                  as_int16(light.b * draw->base_color[2]), (int16)0, face_colors + (size_t)group * LANES);
   }
 }
 

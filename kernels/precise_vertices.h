@@ -4,6 +4,11 @@
 #ifndef MORPHCL_PRECISE_VERTICES_H
 #define MORPHCL_PRECISE_VERTICES_H
 
+#include "layout.h"
+#include "two_float.h"
+#include "vector.h"
+#include "vertex.h"
+
 typedef struct {
   float16 position[3];  // what attributes are made of
   ClipPoints clip;

@@ -1,13 +1,14 @@
 // project_vertices: morph, transform and snap vertices, and make the attributes that shading needs.
 //
-// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the draw of each vertex group,
-//      the numbers of the chunks that changed since the frame before.
-// Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w}; {OUTSIDE, outcode, 0, 0} where clipping is due
+// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the numbers
+//      of the chunks that changed since the frame before.
+// Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w};
+//                    {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
 //      colors[i]     float4: vertex colour after its deltas, clamped to [0, 1]
-//      status[chunk] nonzero when a vertex of the chunk needs clipping
+//      vertex_chunk_status[chunk] not 0 when a vertex of the chunk needs clipping
 // Steps, 16 vertices at a time: 1 morph the position, 2 to clip space, 3 outcode, 4 snap, 5 attributes.
-// One work-item walks a chunk of GROUPS_PER_CHUNK groups. Where w is 1 everywhere nothing is divided, with the same result.
+// One work-item walks a chunk of VERTEX_GROUPS_PER_CHUNK vertex groups. Where w is 1 everywhere nothing is divided, with the same result.
 
 #ifndef MORPHCL_PROJECT_VERTICES_H
 #define MORPHCL_PROJECT_VERTICES_H
@@ -18,11 +19,12 @@
 #include "depth_format.h"
 #include "two_float.h"
 #include "precise_vertices.h"
+#include "tables.h"
 
 // Unit length; a normal that morphing cancelled (shorter than 2^-10) is replaced by the fallback.
 static inline void normalize_or(float16* x, float16* y, float16* z, float16 fallback_x, float16 fallback_y, float16 fallback_z) {
   const float16 square = fma(*x, *x, fma(*y, *y, *z * *z));
-  const int16 usable = square >= 0x1p-20f;
+  const int16 usable = square >= MIN_NORMAL_SQUARE;
   *x = select(fallback_x, *x, usable);
   *y = select(fallback_y, *y, usable);
   *z = select(fallback_z, *z, usable);
@@ -56,23 +58,22 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
   return min(max(value, (float16)0.0f), (float16)1.0f) + 0.0f;  // -0 becomes 0, with and without targets of weight 0
 }
 
-COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* restrict frame,
-                                 global const uint* restrict chunks, global const DrawConstants* restrict draws,
+COMPILED_ONCE void project_chunk(uint item, global const FrameConstants* restrict frame,
+                                 global const DrawConstants* restrict draws,
                                  global const TargetConstants* restrict targets,
-                                 global const PreciseConstants* restrict precise, global const uint* restrict group_draw,
                                  global const float* restrict mesh_data, global int4* restrict vertices,
                                  global int4* restrict attributes, global int4* restrict colors,
-                                 global uint* restrict status) {
-  const uint chunk = chunks[place];
-  const uint end = min((chunk + 1) * GROUPS_PER_CHUNK, frame->group_count);
+                                 global BinsHeader* restrict bins) {
+  const uint chunk = changed_vertex_chunks(frame)[item];
+  const uint end = min((chunk + 1) * VERTEX_GROUPS_PER_CHUNK, frame->vertex_group_count);
   int16 any_outside = 0;
-  for (uint group = chunk * GROUPS_PER_CHUNK; group < end; group++) {
-    global const DrawConstants* draw = &draws[group_draw[group]];
-    const uint at = (group - draw->first_group) * LANES;
+  for (uint group = chunk * VERTEX_GROUPS_PER_CHUNK; group < end; group++) {
+    global const DrawConstants* draw = &draws[draw_of_vertex_group(draws, frame)[group]];
+    const uint at = (group - draw->first_vertex_group) * LANES;
     const size_t record = (size_t)group * LANES;
 
     float16 x, y, z;
-    const ClipPoints clip = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
+    const ClipPoints clip = clip_points(draw, precise_constants(frame), targets, mesh_data, at, &x, &y, &z);
     const int16 code = outcode(clip, frame);
     const int16 outside = code != 0;
     any_outside |= outside;
@@ -103,7 +104,7 @@ COMPILED_ONCE void project_chunk(uint place, constant const FrameConstants* rest
                     as_int16(morphed_color_plane(draw, targets, mesh_data, at, 2)),
                     as_int16(morphed_color_plane(draw, targets, mesh_data, at, 3)), colors + record);
   }
-  status[chunk] = any_lane(any_outside);
+  vertex_chunk_status(bins, frame)[chunk] = any_lane(any_outside);
 }
 
 #endif

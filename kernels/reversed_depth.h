@@ -7,17 +7,21 @@
 #ifndef MORPHCL_REVERSED_DEPTH_H
 #define MORPHCL_REVERSED_DEPTH_H
 
+#include "layout.h"
+#include "raster.h"
+#include "vector.h"
+
 typedef float Depth;  // larger is nearer
 typedef float16 Depths;
 #define FARTHEST_DEPTH (-INFINITY)
 #define NEAREST_DEPTH INFINITY
 
-static inline Depth least_depth(Depths depths) { return least(depths); }
-static inline Depth greatest_depth(Depths depths) { return greatest(depths); }
+static inline Depth min_depth(Depths depths) { return reduce_min(depths); }
+static inline Depth max_depth(Depths depths) { return reduce_max(depths); }
 static inline Depth depth_from_bits(uint bits) { return as_float(bits); }
-static inline Depth background_depth(constant const FrameConstants* frame) { return frame->far_depth; }
+static inline Depth background_depth(global const FrameConstants* frame) { return frame->camera.far_depth; }
 // What eye_distance() takes.
-ALWAYS_INLINE float16 decoded_depth(Depths depth, constant const FrameConstants* frame) { return depth; }
+ALWAYS_INLINE float16 decoded_depth(Depths depth, global const FrameConstants* frame) { return depth; }
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
@@ -36,7 +40,7 @@ static inline void turn_for_depth(int4* a, int4* b, int4* c) {
   }
 }
 
-static inline void set_depth_plane(LargeTriangle* t, int4 a, int4 b, int4 c, long area, constant const FrameConstants* frame) {
+static inline void set_depth_plane(LargeTriangle* t, int4 a, int4 b, int4 c, long area, global const FrameConstants* frame) {
   DepthPlane* p = &t->plane;
   p->depth = as_float(a.z);
   p->depth1 = as_float(b.z) - p->depth;
@@ -67,7 +71,7 @@ static inline bool is_in_range(global const LargeTriangle* t) { return true; }
 
 // The least and the greatest depth in rectangles of the tile.
 typedef struct {
-  Depths least, greatest;
+  Depths min, max;
 } DepthBounds;
 static inline DepthBounds depth_bounds(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right, int16 top, int16 bottom) {
   const float depth_dx = t->plane.depth_dx, depth_dy = t->plane.depth_dy;
@@ -75,8 +79,8 @@ static inline DepthBounds depth_bounds(global const LargeTriangle* t, TileDepth 
   const float16 farthest_x = convert_float16(select(left, right, falls_x)), nearest_x = convert_float16(select(right, left, falls_x));
   const float16 farthest_y = convert_float16(select(top, bottom, falls_y)), nearest_y = convert_float16(select(bottom, top, falls_y));
   DepthBounds bounds;
-  bounds.least = fma((float16)(depth_dx), farthest_x, fma((float16)(depth_dy), farthest_y, (float16)(corner)));
-  bounds.greatest = fma((float16)(depth_dx), nearest_x, fma((float16)(depth_dy), nearest_y, (float16)(corner)));
+  bounds.min = fma((float16)(depth_dx), farthest_x, fma((float16)(depth_dy), farthest_y, (float16)(corner)));
+  bounds.max = fma((float16)(depth_dx), nearest_x, fma((float16)(depth_dy), nearest_y, (float16)(corner)));
   return bounds;
 }
 
@@ -88,7 +92,7 @@ typedef struct {
 
 // `part1` and `part2`: the doubled areas opposite to the corners 1 and 2 at the first pixel.
 ALWAYS_INLINE SmallPlanes small_planes(const int16 depth[3], int16 area, int16 part1, int16 part2, int16 d1x, int16 d1y, int16 d2x,
-                                       int16 d2y, constant const FrameConstants* frame) {
+                                       int16 d2y, global const FrameConstants* frame) {
   const float16 depth0 = as_float16(depth[0]);
   const float16 depth1 = as_float16(depth[1]) - depth0, depth2 = as_float16(depth[2]) - depth0;
   const float16 inverse_area = 1.0f / convert_float16(area);
@@ -112,7 +116,7 @@ ALWAYS_INLINE Depths small_depths(const SmallPlanes* planes, SmallRow row, int c
 typedef struct {
   float start, change;
 } LineDepth;
-static inline LineDepth line_depth(int4 a, int4 b, constant const FrameConstants* frame) {
+static inline LineDepth line_depth(int4 a, int4 b, global const FrameConstants* frame) {
   LineDepth line;
   line.start = as_float(a.z);
   line.change = as_float(b.z) - line.start;
@@ -127,7 +131,7 @@ static inline bool depth_on_line(const LineDepth* line, long offset, long run, u
 // ---- vertices -------------------------------------------------------------------------------------------------------
 
 // What a vertex record keeps for depth.
-ALWAYS_INLINE float16 vertex_depth(float16 clip_z, float16 clip_w, float16 inverse_w, constant const FrameConstants* frame) {
+ALWAYS_INLINE float16 vertex_depth(float16 clip_z, float16 clip_w, float16 inverse_w, global const FrameConstants* frame) {
   return clip_z * inverse_w;
 }
 

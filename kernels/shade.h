@@ -7,16 +7,21 @@
 #ifndef MORPHCL_SHADE_H
 #define MORPHCL_SHADE_H
 
+#include "depth_format.h"
+#include "layout.h"
+#include "light.h"
+#include "raster.h"
+#include "tables.h"
+#include "vector.h"
+
 typedef struct {
-  constant const FrameConstants* frame;
+  global const FrameConstants* frame;
   global const DrawConstants* draws;
-  global const uint* block_draw;
+  global const uint* draw_of_group;
   global const uint* indices;
-  global const LightConstants* lights;
-  global const int4 *vertices, *attributes, *colors, *face_color;
-  global const uint* clip_source;
-  global const float4* clip_weights;
-  uint clipped;  // slots in use
+  global const int4 *vertices, *attributes, *colors, *face_colors;
+  global const ClippedPrimitive* clipped;
+  uint clipped_count;  // slots in use
 } Shader;
 
 typedef struct {
@@ -27,14 +32,14 @@ typedef struct {
 // What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
 typedef struct {
   global const DrawConstants* draw;
-  Irradiance color;       // base colour times the face's light
+  Rgb color;       // base colour times the face's light
   int16 x[3], y[3];       // corners on the screen, sub-pixels
   float16 inverse_w[3];
 #ifdef FORWARD_DEPTH
   float16 distance[3];    // of the corners
 #endif
   EyeVector normal[3];    // at the mesh's vertices; smooth draws
-  Irradiance tint[3];     // vertex colours
+  Rgb tint[3];     // vertex colours
   bool any_cut;           // some lane's corners are those that clipping left;
   int16 is_cut;           // their weights at the mesh's vertices:
   float16 cut[3][3];      // [corner][vertex]
@@ -49,8 +54,8 @@ typedef struct {
 #endif
 } Weights;
 
-ALWAYS_INLINE float16 eye_distance(constant const FrameConstants* frame, float16 depth) {
-  return frame->parallel ? -depth : frame->near / depth;
+ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 depth) {
+  return frame->camera.parallel ? -depth : frame->camera.near / depth;
 }
 
 // ---- what is gathered -----------------------------------------------------------------------------------------------
@@ -70,10 +75,10 @@ ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool sam
 
 // The slot of a clipped primitive; slots are sorted by the primitive's number.
 ALWAYS_INLINE uint slot_of(const Shader* s, uint number) {
-  uint low = 0, high = s->clipped;
+  uint low = 0, high = s->clipped_count;
   while (low + 1 < high) {
     const uint middle = (low + high) / 2;
-    if (s->clip_source[middle] <= number)
+    if (s->clipped[middle].source <= number)
       low = middle;
     else
       high = middle;
@@ -94,10 +99,8 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner
     surface->any_cut = true;
     const uint slot = slot_of(s, id.lane[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
     FOR_THREE(i) {
-      const float4 weights = s->clip_weights[slot * CLIP_VERTICES + local_corner[i]];
-      cut[i][0][lane] = weights.x;
-      cut[i][1][lane] = weights.y;
-      cut[i][2][lane] = weights.z;
+      global const float* weights = s->clipped[slot].weights[local_corner[i]];
+      FOR_THREE(v) cut[i][v][lane] = weights[v];
       corner[i][lane] = s->frame->first_clip_vertex + slot * CLIP_VERTICES + local_corner[i];
     }
   }
@@ -116,7 +119,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   int16 f0, f1, f2, unused;
   if (draw->flags & DRAW_FLAT) {
     const Lanes number = lanes_of(id.all >> 3u);
-    fetch(s->face_color, number.lane, same, &f0, &f1, &f2, &unused);
+    fetch(s->face_colors, number.lane, same, &f0, &f1, &f2, &unused);
     surface->color.r = as_float16(f0);
     surface->color.g = as_float16(f1);
     surface->color.b = as_float16(f2);
@@ -124,7 +127,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return;
 
   uint vertex[3][LANES], corner[3][LANES];
-  const uint first_number = draw->first_block * LANES, first_vertex = draw->first_group * LANES;
+  const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
   for (int lane = 0; lane < (same ? 1 : LANES); lane++)
     FOR_THREE(i)
       corner[i][lane] = vertex[i][lane] =
@@ -170,7 +173,7 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
   w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
   w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
-  if (!s->frame->parallel)
+  if (!s->frame->camera.parallel)
     FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
 #ifdef FORWARD_DEPTH
   w.distance = weighted(w, surface->distance[0], surface->distance[1], surface->distance[2]) / (w.vertex[0] + w.vertex[1] + w.vertex[2]);
@@ -186,7 +189,7 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   return w;
 }
 
-ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, Pixels p, Weights w, float16 total) {
+ALWAYS_INLINE Rgb smooth_light(const Shader* s, const Surface* surface, Pixels p, Weights w, float16 total) {
   EyeVector normal, position;
   normal.x = weighted(w, surface->normal[0].x, surface->normal[1].x, surface->normal[2].x);
   normal.y = weighted(w, surface->normal[0].y, surface->normal[1].y, surface->normal[2].y);
@@ -199,34 +202,34 @@ ALWAYS_INLINE Irradiance smooth_light(const Shader* s, const Surface* surface, P
   normal.y = select(normal.y, -normal.y, negative);
   normal.z = select(normal.z, -normal.z, negative);
   position.x = position.y = position.z = 0.0f;
-  if (!s->frame->has_point_lights) return irradiance(s->frame, s->lights, normal, position);
+  if (!s->frame->has_point_lights) return lambert(s->frame, normal, position);
 #ifdef FORWARD_DEPTH
   const float16 distance = w.distance;
 #else
   const float16 distance = eye_distance(s->frame, p.depth);
 #endif
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
-  position.x = fma(x, (float16)(s->frame->ray[0]), (float16)(s->frame->ray[1]));
-  position.y = fma(y, (float16)(s->frame->ray[2]), (float16)(s->frame->ray[3]));
-  if (s->frame->parallel) {
-    position.x = fma(distance, (float16)(s->frame->slant[0]), position.x);
-    position.y = fma(distance, (float16)(s->frame->slant[1]), position.y);
+  position.x = fma(x, (float16)(s->frame->camera.ray[0]), (float16)(s->frame->camera.ray[1]));
+  position.y = fma(y, (float16)(s->frame->camera.ray[2]), (float16)(s->frame->camera.ray[3]));
+  if (s->frame->camera.parallel) {
+    position.x = fma(distance, (float16)(s->frame->camera.slant[0]), position.x);
+    position.y = fma(distance, (float16)(s->frame->camera.slant[1]), position.y);
   } else {
     position.x *= distance;
     position.y *= distance;
   }
   position.z = -distance;
-  return irradiance(s->frame, s->lights, normal, position);
+  return lambert(s->frame, normal, position);
 }
 
-ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, Pixels p) {
-  Irradiance color = surface->color;
+ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels p) {
+  Rgb color = surface->color;
   const uint flags = surface->draw->flags;
   if (!(flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return color;
   const Weights w = vertex_weights(s, surface, p);
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (flags & DRAW_SMOOTH) {
-    const Irradiance light = smooth_light(s, surface, p, w, total);
+    const Rgb light = smooth_light(s, surface, p, w, total);
     color.r *= light.r;
     color.g *= light.g;
     color.b *= light.b;
@@ -239,11 +242,11 @@ ALWAYS_INLINE Irradiance surface_color(const Shader* s, const Surface* surface, 
   return color;
 }
 
-ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->block_draw[id / (8 * LANES)]]; }
+ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->draw_of_group[id / (8 * LANES)]]; }
 
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
-ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
-  Irradiance result;
+ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
+  Rgb result;
   result.r = result.g = result.b = 0.0f;
   const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
@@ -251,7 +254,7 @@ ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
     const uint first_id = id.lane[first_lane(waiting)];
     const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> 3u);
     int16 r, g, b, unused;
-    GATHER_RECORDS(s->face_color, number.lane, r, g, b, unused)
+    GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
     result.r = select(result.r, as_float16(r), waiting);
     result.g = select(result.g, as_float16(g), waiting);
     result.b = select(result.b, as_float16(b), waiting);
@@ -260,11 +263,11 @@ ALWAYS_INLINE Irradiance mixed_color(const Shader* s, Pixels p, uint16 ids) {
   while (any_lane(waiting)) {
     const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);
-    const uint low = draw->first_block * (8 * LANES), high = low + (draw->block_count * (8 * LANES) - 1);
+    const uint low = draw->first_primitive_group * (8 * LANES), high = low + (draw->primitive_group_count * (8 * LANES) - 1);
     const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
     gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
-    const Irradiance color = surface_color(s, &surface, p);
+    const Rgb color = surface_color(s, &surface, p);
     result.r = select(result.r, color.r, here);
     result.g = select(result.g, color.g, here);
     result.b = select(result.b, color.b, here);

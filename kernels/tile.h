@@ -1,20 +1,34 @@
 // What is visible in a tile of 64 x 64 pixels: for each sample depth and id, kept block by block (16 x 16 samples).
 //
 // A block that nothing touched, or that one large triangle covers in front of all it held, is no more than a note;
-// samples are written when something covers a part of it. The least and the greatest depth of every block tell which
+// samples are written when something covers a part of it. The minimum and maximum depth of every block tell which
 // triangles it hides (hierarchical depth). All sixteen blocks of the tile are judged at once, one a lane.
 
 #ifndef MORPHCL_TILE_H
 #define MORPHCL_TILE_H
 
+#include "depth_format.h"
+#include "layout.h"
+#include "raster.h"
+#include "tables.h"
+#include "vector.h"
+
 #define CLEAR NO_ID            // a block that nothing touched
 #define PER_PIXEL (NO_ID - 1)  // a block whose samples stand in the tile's planes; else a block is one large triangle
+
+// Where a tile's samples are while it is drawn. A CPU's local memory is memory like any other; and PoCL 3.1 gives a local
+// array that a kernel declares to all threads at once.
+#ifdef MORPHCL_POCL
+#define TILE_MEMORY private
+#else
+#define TILE_MEMORY local
+#endif
 
 // Samples of the tile, 16 of a row in a vector: rows of ROW_VECTORS vectors.
 #define ROW_VECTORS (TILE / LANES)
 typedef struct {
-  local Depths* depth;
-  local uint16* id;
+  TILE_MEMORY Depths* depth;
+  TILE_MEMORY uint16* id;
   int x, y;  // first pixel
 } Tile;
 
@@ -24,53 +38,47 @@ typedef struct {
 
 typedef struct {
   uint16 content;        // CLEAR, PER_PIXEL or the index of a large triangle
-  Depths least, greatest;  // depths in the block
+  Depths min, max;  // depths in the block
 } Blocks;
 
 // ---- fragments ------------------------------------------------------------------------------------------------------
 
-typedef struct {
-  global const ulong* keys;
-  global const ushort* places;
-  global const uint* next;
-} Fragments;
-
-static inline void merge_fragments(Tile tile, Fragments fragments, uint head) {
-  local Depth* depths = (local Depth*)tile.depth;
-  local uint* ids = (local uint*)tile.id;
+static inline void merge_fragments(Tile tile, ChunkBins bins, uint head) {
+  TILE_MEMORY Depth* depths = (TILE_MEMORY Depth*)tile.depth;
+  TILE_MEMORY uint* ids = (TILE_MEMORY uint*)tile.id;
   while (head) {
     for (uint i = first_of_page(head); i < head; i++) {
-      const ulong key = fragments.keys[i];
+      const ulong key = bins.fragment_keys[i];
       const Depth depth = depth_from_bits((uint)(key >> 32));
       const uint id = (uint)key;
-      const int place = fragments.places[i];
+      const int place = bins.fragment_places[i];
       const Depth held = depths[place];
       if (depth > held || (depth == held && id < ids[place])) {
         depths[place] = depth;
         ids[place] = id;
       }
     }
-    head = head_before(fragments.next, head);
+    head = head_before(bins.fragment_next, head);
   }
 }
 
-static inline void place_fragments(Tile tile, Fragments fragments, uint head) {
-  local Depth* depths = (local Depth*)tile.depth;
-  local uint* ids = (local uint*)tile.id;
+static inline void place_fragments(Tile tile, ChunkBins bins, uint head) {
+  TILE_MEMORY Depth* depths = (TILE_MEMORY Depth*)tile.depth;
+  TILE_MEMORY uint* ids = (TILE_MEMORY uint*)tile.id;
   while (head) {
     for (uint i = first_of_page(head); i < head; i++) {
-      const ulong key = fragments.keys[i];
-      const int place = fragments.places[i];
+      const ulong key = bins.fragment_keys[i];
+      const int place = bins.fragment_places[i];
       depths[place] = depth_from_bits((uint)(key >> 32));
       ids[place] = (uint)key;
     }
-    head = head_before(fragments.next, head);
+    head = head_before(bins.fragment_next, head);
   }
 }
 
 // What the tile's planes hold, block by block.
 static inline void survey_blocks(Tile tile, Blocks* blocks) {
-  Depth least_of[LANES], greatest_of[LANES];
+  Depth min_of[LANES], max_of[LANES];
   uint content[LANES];
   for (int block = 0; block < LANES; block++) {
     Depths low = NEAREST_DEPTH, high = FARTHEST_DEPTH;
@@ -82,12 +90,12 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
       high = max(high, held);
       lowest_id = min(lowest_id, tile.id[at]);
     }
-    least_of[block] = least_depth(low);
-    greatest_of[block] = greatest_depth(high);
+    min_of[block] = min_depth(low);
+    max_of[block] = max_depth(high);
     content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
   }
-  blocks->least = vload16(0, least_of);
-  blocks->greatest = vload16(0, greatest_of);
+  blocks->min = vload16(0, min_of);
+  blocks->max = vload16(0, max_of);
   blocks->content = vload16(0, content);
 }
 
@@ -157,7 +165,7 @@ ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global cons
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
   const uint id = t->id;
-  Depths least_held = NEAREST_DEPTH;
+  Depths min_held = NEAREST_DEPTH;
   for (int y = first; y <= last; y++) {
     const int at = y * ROW_VECTORS + column / LANES;
     const Depths depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
@@ -167,10 +175,10 @@ ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global cons
     const Depths kept = select(held, depth, wins);
     tile.depth[at] = kept;
     tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
-    least_held = min(least_held, kept);
+    min_held = min(min_held, kept);
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
-  return least_held;
+  return min_held;
 }
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
@@ -186,7 +194,7 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
     const Depths held = tests_depth ? draw_in_rows(tile, edges, t, corner, column, first, last, true)
                                     : draw_in_rows(tile, edges, t, corner, column, first, last, false);
     if (last - first < TILE_BLOCK - 1) continue;  // rows that were left out may hold less
-    blocks->least = max(blocks->least, select((Depths)(FARTHEST_DEPTH), (Depths)(least_depth(held)), LANE == block));
+    blocks->min = max(blocks->min, select((Depths)(FARTHEST_DEPTH), (Depths)(min_depth(held)), LANE == block));
   }
   blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
@@ -200,19 +208,19 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   const int16 left = max(BLOCK_X, (int16)(box.first_column)), right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
   const int16 top = max(BLOCK_Y, (int16)(box.first_row)), bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
   const DepthBounds depth = depth_bounds(t, corner, left, right, top, bottom);
-  int16 misses = (left > right) | (top > bottom) | (depth.greatest < blocks->least), covers = is_in_range(t) ? -1 : 0;
+  int16 misses = (left > right) | (top > bottom) | (depth.max < blocks->min), covers = is_in_range(t) ? -1 : 0;
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
     FOR_THREE(e) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
   else
     find_covered_blocks(t, tile, &edges, &misses, &covers);
-  const int16 replaces = covers & ~misses & (depth.least > blocks->greatest);
+  const int16 replaces = covers & ~misses & (depth.min > blocks->max);
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(replaces));
-  blocks->least = select(blocks->least, depth.least, replaces);
-  blocks->greatest = select(blocks->greatest, depth.greatest, replaces);
+  blocks->min = select(blocks->min, depth.min, replaces);
+  blocks->max = select(blocks->max, depth.max, replaces);
   const int16 partly = ~misses & ~replaces;
-  blocks->greatest = select(blocks->greatest, max(blocks->greatest, depth.greatest), partly);  // at most this
+  blocks->max = select(blocks->max, max(blocks->max, depth.max), partly);  // at most this
   if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, background, true);
 }
 

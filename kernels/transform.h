@@ -17,16 +17,16 @@
 //      coordinate but goes along unchanged.
 // Out: likewise; the same memory as the input is allowed, other overlap is not. A vertex that asks for a matrix past
 //      the last one becomes NaN, and *bad_index 1.
-// Steps of a block of 16: load and transpose to one vector a coordinate; multiply; divide or normalise; store.
-// A work-item does `runs` runs of run_length vertices that follow each other, a block of each in turn: that many
+// Steps of a group of 16: load and transpose to one vector a coordinate; multiply; divide or normalise; store.
+// A work-item does `runs` runs of run_length vertices that follow each other, a group of each in turn: that many
 // streams keep the memory busy where one array alone would not. run_length is a multiple of 16, so that only the last
-// block of all can be a partial one, whose missing lanes are neither read nor written. past_cache: not 0 if aligned
-// results should bypass the cache. host/batch/transform_reference.cpp is the same arithmetic in plain loops.
+// group of all can be a partial one, whose missing lanes are neither read nor written. stream_stores: not 0 if
+// aligned results should bypass the cache. host/batch/transform_reference.cpp is the same arithmetic in plain loops.
 
 #ifndef MORPHCL_TRANSFORM_H
 #define MORPHCL_TRANSFORM_H
 
-#include "transform_kind.h"
+#include "transform_constants.h"
 #include "transform_layout.h"
 
 typedef Vertices Row;  // factors of x, y, z and 1
@@ -152,7 +152,7 @@ ALWAYS_INLINE Vertices without_bad(Vertices v, int16 bad, global uint* bad_index
   return v;
 }
 
-// ---- blocks of sixteen ----
+// ---- groups of sixteen ----
 
 ALWAYS_INLINE Vertices transform_same(Matrices m, uint kind, Vertices v) {
   const Vertices p = before_multiplying(v, kind);
@@ -198,54 +198,53 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
 // ---- kernels ----
 
 // Each layout: parameters, their names, and the two as structs.
-#define ARRAYS_PARAMETERS                                                                                   \
-  global const real *x, global const real *y, global const real *z, global real *out_x, global real *out_y, \
-      global real *out_z
+#define ARRAYS_PARAMETERS \
+  global const real *x, global const real *y, global const real *z, global real *out_x, global real *out_y, global real *out_z
 #define ARRAYS_NAMES x, y, z, out_x, out_y, out_z
 #define ARRAYS_SOURCE \
   { x, y, z }
-#define ARRAYS_TARGET \
-  { out_x, out_y, out_z, past_cache != 0 && is_cache_line(out_x) && is_cache_line(out_y) && is_cache_line(out_z) }
+#define ARRAYS_TARGET                                                                             \
+  { out_x, out_y, out_z,                                                                          \
+    constants.stream_stores != 0 && is_cache_line(out_x) && is_cache_line(out_y) && is_cache_line(out_z) }
 
 #define RECORDS_PARAMETERS global const real *records, global real *out
 #define RECORDS_NAMES records, out
 #define RECORDS_SOURCE \
   { records, 0, 0 }
 #define RECORDS_TARGET \
-  { out, 0, 0, past_cache != 0 && is_cache_line(out) }
+  { out, 0, 0, constants.stream_stores != 0 && is_cache_line(out) }
 
-// Each way to choose matrices: parameters, their names, and what becomes of a block v.
+// Each way to choose matrices: parameters, their names, and what becomes of a group v.
 #define ONE_PARAMETERS
 #define ONE_NAMES
 #define ONE_TRANSFORM(v) transform_same(same_matrix(rows, kind), kind, v)
 
-#define INDEX_PARAMETERS uint matrix_count, global uint *bad_index, global const uint *restrict index,
-#define INDEX_NAMES matrix_count, bad_index, index,
-#define INDEX_TRANSFORM(v) transform_indexed(rows, matrix_count, kind, v, index + at, lanes, bad_index)
+#define INDEX_PARAMETERS global uint *bad_index, global const uint *restrict index,
+#define INDEX_NAMES bad_index, index,
+#define INDEX_TRANSFORM(v) transform_indexed(rows, constants.matrix_count, kind, v, index + at, lanes, bad_index)
 
-#define BLEND_PARAMETERS \
-  uint matrix_count, global uint *bad_index, global const ulong *restrict influence, global const real *restrict weight,
-#define BLEND_NAMES matrix_count, bad_index, influence, weight,
-#define BLEND_TRANSFORM(v) transform_blended(rows, matrix_count, kind, v, influence, weight, at, lanes, bad_index)
+#define BLEND_PARAMETERS global uint *bad_index, global const ulong *restrict influence, global const real *restrict weight,
+#define BLEND_NAMES bad_index, influence, weight,
+#define BLEND_TRANSFORM(v) \
+  transform_blended(rows, constants.matrix_count, kind, v, influence, weight, at, lanes, bad_index)
 
-#define TRANSFORM_KERNEL(NAME, LAYOUT, VERTICES, CHOICE)                                                        \
-  COMPILED_ONCE void NAME##_of_item(ulong item, global const real4* restrict rows, uint kind,                   \
-                                    CHOICE##_PARAMETERS VERTICES##_PARAMETERS, ulong count, ulong run_length,   \
-                                    uint runs, uint past_cache) {                                               \
-    const Source in = VERTICES##_SOURCE;                                                                        \
-    const Target to = VERTICES##_TARGET;                                                                        \
-    const ulong begin = item * run_length * runs, end = min(begin + run_length * runs, count);                  \
-    for (ulong done = 0; done < run_length; done += 16)                                                         \
-      for (ulong at = begin + done; at < end; at += run_length) {                                               \
-        const long lanes = count - at;                                                                          \
-        const Vertices v = load_##LAYOUT(in, at, lanes);                                                        \
-        store_##LAYOUT(CHOICE##_TRANSFORM(v), to, at, lanes);                                                   \
-      }                                                                                                         \
-  }                                                                                                             \
-  kernel void NAME(global const real4* rows, uint kind, CHOICE##_PARAMETERS VERTICES##_PARAMETERS, ulong count, \
-                   ulong run_length, uint runs, uint past_cache) {                                              \
-    NAME##_of_item(get_global_id(0), rows, kind, CHOICE##_NAMES VERTICES##_NAMES, count, run_length, runs,      \
-                   past_cache);                                                                                 \
+#define TRANSFORM_KERNEL(NAME, LAYOUT, VERTICES, CHOICE)                                                              \
+  COMPILED_ONCE void NAME##_of_item(ulong item, TransformConstants constants, global const real4* restrict rows,      \
+                                    CHOICE##_PARAMETERS VERTICES##_PARAMETERS) {                                      \
+    const Source in = VERTICES##_SOURCE;                                                                              \
+    const Target to = VERTICES##_TARGET;                                                                              \
+    const ulong count = constants.count, run_length = constants.run_length;                                           \
+    const uint kind = constants.kind;                                                                                 \
+    const ulong begin = item * run_length * constants.runs, end = min(begin + run_length * constants.runs, count);    \
+    for (ulong done = 0; done < run_length; done += 16)                                                               \
+      for (ulong at = begin + done; at < end; at += run_length) {                                                     \
+        const long lanes = count - at;                                                                                \
+        const Vertices v = load_##LAYOUT(in, at, lanes);                                                              \
+        store_##LAYOUT(CHOICE##_TRANSFORM(v), to, at, lanes);                                                         \
+      }                                                                                                               \
+  }                                                                                                                   \
+  kernel void NAME(TransformConstants constants, global const real4* rows, CHOICE##_PARAMETERS VERTICES##_PARAMETERS) { \
+    NAME##_of_item(get_global_id(0), constants, rows, CHOICE##_NAMES VERTICES##_NAMES);                               \
   }
 
 TRANSFORM_KERNEL(transform_separate, separate, ARRAYS, ONE)

@@ -24,20 +24,20 @@ typedef struct {
 
 typedef struct {
   global real *x, *y, *z;
-  bool past_cache;
+  bool streams;
 } Target;
 
-// ---- stores past the cache ----
+// ---- streaming stores ----
 
 ALWAYS_INLINE bool is_cache_line(global const real* values) { return ((size_t)values & 63) == 0; }
 
 // In cache lines, so that 64 bytes of alignment are enough for both precisions.
-ALWAYS_INLINE void store_past_cache(real16 value, global real* values) {
+ALWAYS_INLINE void stream_store(real16 value, global real* values) {
 #if FRACTION_BITS == 52
-  STORE_PAST_CACHE(value.lo, (global double8*)values);
-  STORE_PAST_CACHE(value.hi, (global double8*)(values + 8));
+  STREAM_STORE(value.lo, (global double8*)values);
+  STREAM_STORE(value.hi, (global double8*)(values + 8));
 #else
-  STORE_PAST_CACHE(value, (global float16*)values);
+  STREAM_STORE(value, (global float16*)values);
 #endif
 }
 
@@ -64,10 +64,10 @@ ALWAYS_INLINE Vertices load_separate(Source in, ulong at, long lanes) {
 }
 
 ALWAYS_INLINE void store_separate(Vertices v, Target out, ulong at, long lanes) {
-  if (lanes >= 16 && out.past_cache) {
-    store_past_cache(v.x, out.x + at);
-    store_past_cache(v.y, out.y + at);
-    store_past_cache(v.z, out.z + at);
+  if (lanes >= 16 && out.streams) {
+    stream_store(v.x, out.x + at);
+    stream_store(v.y, out.y + at);
+    stream_store(v.z, out.z + at);
   } else if (lanes >= 16) {
     vstore16(v.x, 0, out.x + at);
     vstore16(v.y, 0, out.y + at);
@@ -105,12 +105,12 @@ ALWAYS_INLINE Records load_records(global const real* records, long fields, long
   return r;
 }
 
-ALWAYS_INLINE void store_records_of(long fields, Records r, global real* records, long lanes, bool past_cache) {
-  if (lanes >= 16 && past_cache) {
-    store_past_cache(r.a, records);
-    store_past_cache(r.b, records + 16);
-    store_past_cache(r.c, records + 32);
-    if (fields == 4) store_past_cache(r.d, records + 48);
+ALWAYS_INLINE void store_records_of(long fields, Records r, global real* records, long lanes, bool streams) {
+  if (lanes >= 16 && streams) {
+    stream_store(r.a, records);
+    stream_store(r.b, records + 16);
+    stream_store(r.c, records + 32);
+    if (fields == 4) stream_store(r.d, records + 48);
   } else if (lanes >= 16) {
     vstore16(r.a, 0, records);
     vstore16(r.b, 1, records);
@@ -127,7 +127,7 @@ ALWAYS_INLINE void store_records_of(long fields, Records r, global real* records
 }
 
 // Lanes 0, 3, 6 and so on of the first, 1, 4, 7 of the second and 2, 5, 8 of the third.
-ALWAYS_INLINE real16 by_thirds(real16 first, real16 second, real16 third) {
+ALWAYS_INLINE real16 blend_of_3(real16 first, real16 second, real16 third) {
   const bits16 is_first = {-1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1};
   const bits16 is_second = {0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0};
   return is_first ? first : is_second ? second : third;
@@ -138,19 +138,19 @@ ALWAYS_INLINE real16 by_thirds(real16 first, real16 second, real16 third) {
 ALWAYS_INLINE Vertices load_xyz(Source in, ulong at, long lanes) {
   const Records r = load_records(in.x + 3 * at, 3, lanes);
   Vertices v;
-  v.x = by_thirds(r.a, r.c, r.b).s0369cf258be147ad;
-  v.y = by_thirds(r.b, r.a, r.c).s147ad0369cf258be;
-  v.z = by_thirds(r.c, r.b, r.a).s258be147ad0369cf;
+  v.x = blend_of_3(r.a, r.c, r.b).s0369cf258be147ad;
+  v.y = blend_of_3(r.b, r.a, r.c).s147ad0369cf258be;
+  v.z = blend_of_3(r.c, r.b, r.a).s258be147ad0369cf;
   return v;
 }
 
 ALWAYS_INLINE void store_xyz(Vertices v, Target out, ulong at, long lanes) {
   const real16 x = v.x.s0b61c72d83e94fa5, y = v.y.s50b61c72d83e94fa, z = v.z.sa50b61c72d83e94f;
   Records r;
-  r.a = by_thirds(x, y, z);
-  r.b = by_thirds(y, z, x);
-  r.c = by_thirds(z, x, y);
-  store_records_of(3, r, out.x + 3 * at, lanes, out.past_cache);
+  r.a = blend_of_3(x, y, z);
+  r.b = blend_of_3(y, z, x);
+  r.c = blend_of_3(z, x, y);
+  store_records_of(3, r, out.x + 3 * at, lanes, out.streams);
 }
 
 // Any lanes of two vectors, 0 to 15 of the first and 16 to 31 of the second. Swizzles that are put together say the
@@ -198,7 +198,7 @@ ALWAYS_INLINE Vertices load_xyzw(Source in, ulong at, long lanes) {
 }
 
 ALWAYS_INLINE void store_xyzw(Vertices v, Target out, ulong at, long lanes) {
-  store_records_of(4, records_of_4(v), out.x + 4 * at, lanes, out.past_cache);
+  store_records_of(4, records_of_4(v), out.x + 4 * at, lanes, out.streams);
 }
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef MORPHCL_TWO_FLOAT_H
 #define MORPHCL_TWO_FLOAT_H
 
+#include "vector.h"
+
 typedef struct {
   float16 high, low;  // |low| <= ulp(high) / 2
 } TwoFloats;

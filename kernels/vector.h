@@ -1,10 +1,12 @@
-// Sixteen lanes at a time: masks, gathers, transposes and stores past the cache.
+// Sixteen lanes at a time: masks, gathers, transposes, streaming stores and prefetches.
 //
 // A lane mask is an int16 with -1 in active lanes, as OpenCL's vector comparisons give it. Only correctly rounded
 // operations appear here and in every kernel; min and max are used on NaN-free values only.
 
 #ifndef MORPHCL_VECTOR_H
 #define MORPHCL_VECTOR_H
+
+#include "layout.h"
 
 // For functions that pass groups of vectors: as calls on a CPU they would go through memory, at several times the cost.
 #ifdef MORPHCL_POCL
@@ -67,13 +69,13 @@ static inline int first_lane(int16 mask) { return lowest_of_lanes(mask_bytes(mas
        lane##_bytes = without_lowest_lane(lane##_bytes))                                                \
     for (int lane = lowest_of_lanes(lane##_bytes), lane##_once = 1; lane##_once; lane##_once = 0)
 
-static inline float least(float16 v) {
+static inline float reduce_min(float16 v) {
   float8 a = min(v.lo, v.hi);
   float4 b = min(a.lo, a.hi);
   float2 c = min(b.lo, b.hi);
   return min(c.x, c.y);
 }
-static inline float greatest(float16 v) {
+static inline float reduce_max(float16 v) {
   float8 a = max(v.lo, v.hi);
   float4 b = max(a.lo, a.hi);
   float2 c = max(b.lo, b.hi);
@@ -95,27 +97,27 @@ static inline float greatest(float16 v) {
 
 // A store that does not displace what the cache holds, for results that no kernel reads soon.
 #ifdef MORPHCL_POCL
-#define STORE_PAST_CACHE(value, pointer) __builtin_nontemporal_store(value, pointer)
+#define STREAM_STORE(value, pointer) __builtin_nontemporal_store(value, pointer)
 #else
-#define STORE_PAST_CACHE(value, pointer) (*(pointer) = (value))
+#define STREAM_STORE(value, pointer) (*(pointer) = (value))
 #endif
 
 // Asks for what will be read soon: a hint.
 #ifdef MORPHCL_POCL
-#define FETCH_AHEAD(pointer) __builtin_prefetch((const void*)(size_t)(pointer))
+#define PREFETCH(pointer) __builtin_prefetch((const void*)(size_t)(pointer))
 #else
-#define FETCH_AHEAD(pointer) ((void)(pointer))
+#define PREFETCH(pointer) ((void)(pointer))
 #endif
 
 // The inverse of GATHER_RECORDS for consecutive records: fields in, sixteen records of four words out.
-#define RECORDS_FROM(f0, f1, f2, f3, a, b, c, d)                                                         \
+#define INTERLEAVE_4(f0, f1, f2, f3, a, b, c, d)                                                         \
   (int16)(f0.s##a, f1.s##a, f2.s##a, f3.s##a, f0.s##b, f1.s##b, f2.s##b, f3.s##b, f0.s##c, f1.s##c,      \
           f2.s##c, f3.s##c, f0.s##d, f1.s##d, f2.s##d, f3.s##d)
 static inline void store_records(int16 f0, int16 f1, int16 f2, int16 f3, global int4* out) {
-  vstore16(RECORDS_FROM(f0, f1, f2, f3, 0, 1, 2, 3), 0, (global int*)out);
-  vstore16(RECORDS_FROM(f0, f1, f2, f3, 4, 5, 6, 7), 1, (global int*)out);
-  vstore16(RECORDS_FROM(f0, f1, f2, f3, 8, 9, a, b), 2, (global int*)out);
-  vstore16(RECORDS_FROM(f0, f1, f2, f3, c, d, e, f), 3, (global int*)out);
+  vstore16(INTERLEAVE_4(f0, f1, f2, f3, 0, 1, 2, 3), 0, (global int*)out);
+  vstore16(INTERLEAVE_4(f0, f1, f2, f3, 4, 5, 6, 7), 1, (global int*)out);
+  vstore16(INTERLEAVE_4(f0, f1, f2, f3, 8, 9, a, b), 2, (global int*)out);
+  vstore16(INTERLEAVE_4(f0, f1, f2, f3, c, d, e, f), 3, (global int*)out);
 }
 
 // Rows of a matrix applied to points: ((m3 + z m2) + y m1) + x m0, each step one fma.

@@ -4,6 +4,9 @@
 #ifndef MORPHCL_VERTEX_H
 #define MORPHCL_VERTEX_H
 
+#include "layout.h"
+#include "vector.h"
+
 typedef struct {
   float16 x, y, z, w;
 } ClipPoints;
@@ -43,15 +46,15 @@ static inline ClipPoints to_clip(global const DrawConstants* draw, float16 x, fl
 }
 
 // Positive in front of the near plane: w - near in perspective, near_depth - z in parallel projections.
-static inline float16 near_distance(float16 z, float16 w, constant const FrameConstants* frame) {
-  return fma((float16)(frame->near_plane[0]), z, fma((float16)(frame->near_plane[1]), w, (float16)(frame->near_plane[2])));
+static inline float16 near_distance(float16 z, float16 w, global const FrameConstants* frame) {
+  return fma((float16)(frame->camera.near_plane[0]), z, fma((float16)(frame->camera.near_plane[1]), w, (float16)(frame->camera.near_plane[2])));
 }
 
 // Every test is positive, so a NaN fails all of them and counts as invalid.
-static inline int16 outcode(ClipPoints p, constant const FrameConstants* frame) {
+static inline int16 outcode(ClipPoints p, global const FrameConstants* frame) {
   const float16 limit_x = p.w * frame->guard_x, limit_y = p.w * frame->guard_y;
-  const int16 finite = (fabs(p.x) <= LARGEST_CLIP) & (fabs(p.y) <= LARGEST_CLIP) & (fabs(p.z) <= LARGEST_CLIP) &
-                       (fabs(p.w) <= LARGEST_CLIP);
+  const int16 finite = (fabs(p.x) <= MAX_CLIP_COORDINATE) & (fabs(p.y) <= MAX_CLIP_COORDINATE) & (fabs(p.z) <= MAX_CLIP_COORDINATE) &
+                       (fabs(p.w) <= MAX_CLIP_COORDINATE);
   int16 code = ~(near_distance(p.z, p.w, frame) >= 0.0f) & OUT_NEAR;
   code |= ~(p.x >= -limit_x) & OUT_LEFT;
   code |= ~(p.x <= limit_x) & OUT_RIGHT;

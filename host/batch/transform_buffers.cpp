@@ -3,13 +3,84 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <tuple>
+#include <string_view>
 
 #include "host/device/launch.hpp"
+#include "host/device/opencl.hpp"
 
 namespace morphcl {
 
 namespace {
+
+namespace layout {
+using uint = cl_uint;
+using ulong = cl_ulong;
+#include "kernels/transform_constants.h"
+static_assert(sizeof(TransformConstants) == 32);
+}  // namespace layout
+
+// What the kernels take.
+template <class Real>
+constexpr bool is_single = std::is_same_v<Real, float>;
+
+template <class Real>
+struct Reals {
+  using Element = Real;
+  static constexpr std::string_view type = is_single<Real> ? "float" : "double";
+};
+template <class Real>
+struct X : Reals<Real> {
+  static constexpr std::string_view name = "x";
+};
+template <class Real>
+struct Y : Reals<Real> {
+  static constexpr std::string_view name = "y";
+};
+template <class Real>
+struct Z : Reals<Real> {
+  static constexpr std::string_view name = "z";
+};
+template <class Real>
+struct OutX : Reals<Real> {
+  static constexpr std::string_view name = "out_x";
+};
+template <class Real>
+struct OutY : Reals<Real> {
+  static constexpr std::string_view name = "out_y";
+};
+template <class Real>
+struct OutZ : Reals<Real> {
+  static constexpr std::string_view name = "out_z";
+};
+template <class Real>
+struct In : Reals<Real> {
+  static constexpr std::string_view name = "records";
+};
+template <class Real>
+struct Out : Reals<Real> {
+  static constexpr std::string_view name = "out";
+};
+template <class Real>
+struct Weight : Reals<Real> {
+  static constexpr std::string_view name = "weight";
+};
+template <class Real>
+struct Rows {
+  using Element = MatrixRow<Real>;
+  static constexpr std::string_view name = "rows", type = is_single<Real> ? "float4" : "double4";
+};
+struct Index {
+  using Element = cl_uint;
+  static constexpr std::string_view name = "index", type = "uint";
+};
+struct Influence {
+  using Element = cl_ulong;  // four ushorts
+  static constexpr std::string_view name = "influence", type = "ulong";
+};
+struct BadIndex {
+  using Element = cl_uint;
+  static constexpr std::string_view name = "bad_index", type = "uint";
+};
 
 // How the vertices are shared out: `runs` runs of `run_length` for each work-item. A multiple of 16, as the kernels
 // demand. A CPU walks long runs, of records four at a time, as its prefetcher brings in more from several streams than
@@ -24,7 +95,7 @@ Share share_of_item(const DeviceInfo& device, VertexLayout layout) {
 }
 
 // From here on results leave the cache before they are read again.
-constexpr std::size_t past_cache_bytes = std::size_t{8} << 20;
+constexpr std::size_t min_streamed_bytes = std::size_t{8} << 20;
 
 void check_size(const cl::Buffer& buffer, std::size_t bytes, const char* what) {
   const std::size_t held = buffer() ? buffer.getInfo<CL_MEM_SIZE>() : 0;
@@ -38,15 +109,8 @@ void check_vertices(const VertexBuffers& vertices, std::size_t count, std::size_
     check_size(vertices.arrays[array], count * reals_per_vertex(vertices.layout) * real_bytes, what);
 }
 
-// As the kernels take them.
-auto arguments(const VertexBuffers& in, const VertexBuffers& out, auto&& use) {
-  if (in.layout == VertexLayout::separate)
-    return use(std::tie(in.arrays[0], in.arrays[1], in.arrays[2], out.arrays[0], out.arrays[1], out.arrays[2]));
-  return use(std::tie(in.arrays[0], out.arrays[0]));
-}
-
 template <class Real>
-constexpr const char* stage = std::is_same_v<Real, float> ? "transform_f32" : "transform_f64";
+constexpr const char* stage = is_single<Real> ? "transform_f32" : "transform_f64";
 
 std::string kernel_name(VertexLayout layout, const ChoiceBuffers& choice) {
   constexpr const char* suffixes[] = {"", "_by_index", "_blended"};
@@ -81,33 +145,40 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
     const std::size_t per_item = share.run_length * share.runs, items = (count + per_item - 1) / per_item;
     const cl::NDRange global((items + share.group - 1) / share.group * share.group), local(share.group);
     const std::size_t reals = 2 * array_count(out.layout) * reals_per_vertex(out.layout) * count;
-    const cl_uint past_cache = reals * sizeof(Real) >= past_cache_bytes;
 
     // Copied: the caller's transform may be gone when the kernel runs.
-    const auto rows = transform.rows();
-    const cl::Buffer row_buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, rows.size_bytes(),
-                                const_cast<MatrixRow<Real>*>(rows.data()));
-    const auto kind = static_cast<cl_uint>(transform.kind());
-    const auto matrix_count = static_cast<cl_uint>(transform.matrix_count());
-    cl::Kernel kernel = session.kernel(stage<Real>, kernel_name(in.layout, choice));
+    const auto matrix_rows = transform.rows();
+    const BufferAs<Rows<Real>> rows(cl::Buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                                               matrix_rows.size_bytes(),
+                                               const_cast<MatrixRow<Real>*>(matrix_rows.data())));
+    layout::TransformConstants constants{};
+    constants.count = count;
+    constants.run_length = share.run_length;
+    constants.runs = static_cast<cl_uint>(share.runs);
+    constants.kind = static_cast<cl_uint>(transform.kind());
+    constants.matrix_count = static_cast<cl_uint>(transform.matrix_count());
+    constants.stream_stores = reals * sizeof(Real) >= min_streamed_bytes;
+    const Kernel kernel = session.kernel(kernel_source(stage<Real>), kernel_name(in.layout, choice));
     const auto start = [&](const auto&... choosing) {
-      arguments(in, out, [&](const auto& vertices) {
-        std::apply(
-            [&](const auto&... buffers) {
-              launch(session.queue(), kernel, global, local, row_buffer, kind, choosing..., buffers..., cl_ulong{count},
-                     cl_ulong{share.run_length}, static_cast<cl_uint>(share.runs), past_cache);
-            },
-            vertices);
-      });
+      const auto with = [&](const auto&... vertices) {
+        launch(session.queue(), kernel, global, local, Named{"constants", constants}, rows, choosing..., vertices...);
+      };
+      if (in.layout == VertexLayout::separate)
+        with(BufferAs<X<Real>>(in.arrays[0]), BufferAs<Y<Real>>(in.arrays[1]), BufferAs<Z<Real>>(in.arrays[2]),
+             BufferAs<OutX<Real>>(out.arrays[0]), BufferAs<OutY<Real>>(out.arrays[1]),
+             BufferAs<OutZ<Real>>(out.arrays[2]));
+      else
+        with(BufferAs<In<Real>>(in.arrays[0]), BufferAs<Out<Real>>(out.arrays[0]));
     };
     if (chosen && !bad_index()) bad_index = cl::Buffer(session.context(), CL_MEM_WRITE_ONLY, sizeof(cl_uint));
+    const BufferAs<BadIndex> bad(bad_index);
     if (const auto* by_index = std::get_if<IndexBuffer>(&choice)) {
       check_size(by_index->index, count * sizeof(cl_uint), "the matrix indices");
-      start(matrix_count, bad_index, by_index->index);
+      start(bad, BufferAs<Index>(by_index->index));
     } else if (const auto* blend = std::get_if<BlendBuffers>(&choice)) {
       check_size(blend->matrices, count * 4 * sizeof(cl_ushort), "the matrices to blend");
       check_size(blend->weights, count * 4 * sizeof(Real), "the weights");
-      start(matrix_count, bad_index, blend->matrices, blend->weights);
+      start(bad, BufferAs<Influence>(blend->matrices), BufferAs<Weight<Real>>(blend->weights));
     } else {
       start();
     }

@@ -1,70 +1,116 @@
-// Typed kernel launches: launch(queue, kernel, global, local, arguments...).
+// Kernel launches by name: launch(queue, kernel, global, local, arguments...), the arguments in any order.
 //
-// The arguments are given in the kernel's order: cl::Buffer for pointers to global or constant memory, LocalMemory for
-// pointers to local memory, and plain values (cl_int, cl_float, structs shared with the kernel) for the rest. What the
-// compiler can see is checked there (no host pointers, no bool, which OpenCL does not pass); the number of arguments
-// and their sizes are checked at the call. Errors name the kernel.
+// A buffer goes to the kernel's argument of its meaning's name (device_buffer.hpp); values and local memory say the
+// name:
+//   launch(queue, fill, cl::NDRange(64), cl::NDRange(16), Named{"value", cl_int{7}}, buffer);
+// That the kernel has an argument of this name and element type, and that each of its arguments is given once, is
+// checked before anything runs. What is no buffer with a meaning and no named value does not compile: no bare buffers,
+// no host pointers, no bool, which OpenCL does not pass.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <array>
+#include <concepts>
+#include <span>
+#include <string_view>
 #include <type_traits>
 
-#include "host/device/cl_error.hpp"
+#include "host/device/device_buffer.hpp"
+#include "host/device/kernel.hpp"
 
 namespace morphcl {
 
+template <class T>
+concept KernelValue =
+    std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && !std::is_pointer_v<T> && !std::same_as<T, bool>;
+
+template <KernelValue T>
+struct Named {
+  std::string_view name;
+  T value;
+};
+
+template <class T>
+Named(std::string_view, T) -> Named<T>;
+
 struct LocalMemory {
+  std::string_view name;
   std::size_t bytes;
 };
 
 namespace launch_detail {
 
-template <class Argument>
-void set_argument(cl::Kernel& kernel, cl_uint index, const Argument& argument) {
-  if constexpr (std::is_same_v<Argument, cl::Buffer>) {
-    kernel.setArg(index, argument);
-  } else if constexpr (std::is_same_v<Argument, LocalMemory>) {
-    kernel.setArg(index, cl::Local(argument.bytes));
-  } else {
-    static_assert(std::is_trivially_copyable_v<Argument> && std::is_standard_layout_v<Argument>,
-                  "a kernel takes buffers, local memory and plain values");
-    static_assert(!std::is_pointer_v<Argument> && !std::is_same_v<Argument, bool>,
-                  "OpenCL passes neither host pointers nor bool");
-    kernel.setArg(index, sizeof argument, &argument);
-  }
+// As kernels spell it; "" of what only a kernel's source knows, structs above all.
+template <class T>
+constexpr std::string_view type_name() {
+  if constexpr (std::same_as<T, cl_int>) return "int";
+  if constexpr (std::same_as<T, cl_uint>) return "uint";
+  if constexpr (std::same_as<T, cl_ulong>) return "ulong";
+  if constexpr (std::same_as<T, float>) return "float";
+  if constexpr (std::same_as<T, double>) return "double";
+  return "";
 }
 
-// Sets all arguments; Error(internal) if the kernel takes another number of them.
-template <class... Arguments>
-void set_arguments(cl::Kernel& kernel, const std::string& name, const Arguments&... arguments) {
-  const cl_uint expected = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
-  if (expected != sizeof...(arguments))
-    throw Error(ErrorKind::internal, "",
-                fmt::format("kernel {} takes {} arguments, {} were given", name, expected, sizeof...(arguments)));
-  cl_uint index = 0;
-  (set_argument(kernel, index++, arguments), ...);
-}
+// What one argument is given: the memory behind `value`, or with no value that much local memory.
+struct Binding {
+  std::string_view name;
+  std::string_view type;  // "": the kernel's own, which the size has to fit
+  const void* value;
+  std::size_t bytes;
+};
 
-inline bool is_empty(const cl::NDRange& range) {
-  for (cl::size_type dimension = 0; dimension < range.dimensions(); ++dimension)
-    if (range[dimension] == 0) return true;
-  return false;
+template <class T>
+struct IsBuffer : std::false_type {};
+template <class Meaning>
+struct IsBuffer<DeviceBuffer<Meaning>> : std::true_type {
+  using Of = Meaning;
+};
+template <class Meaning>
+struct IsBuffer<BufferAs<Meaning>> : std::true_type {
+  using Of = Meaning;
+};
+
+template <class T>
+  requires IsBuffer<T>::value
+Binding binding(const T& buffer) {
+  using Meaning = typename IsBuffer<T>::Of;
+  return {Meaning::name, Meaning::type, &buffer.buffer()(), sizeof(cl_mem)};
 }
+template <class T>
+Binding binding(const Named<T>& named) {
+  return {named.name, type_name<T>(), &named.value, sizeof(T)};
+}
+inline Binding binding(const LocalMemory& memory) { return {memory.name, "", nullptr, memory.bytes}; }
+
+void launch(const cl::CommandQueue& queue, const Kernel& kernel, const cl::NDRange& offset, const cl::NDRange& global,
+            const cl::NDRange& local, std::span<const Binding> bindings);
 
 }  // namespace launch_detail
 
+template <class T>
+concept Launchable = requires(const T& argument) {
+  { launch_detail::binding(argument) } -> std::same_as<launch_detail::Binding>;
+};
+
 // Enqueues `kernel` over `global` work-items in groups of `local`, which must divide it; does nothing if `global` is
-// empty. Not for two threads with one kernel object at a time: arguments are state of the kernel.
-template <class... Arguments>
-void launch(const cl::CommandQueue& queue, cl::Kernel& kernel, const cl::NDRange& global, const cl::NDRange& local,
+// empty. Error(internal), naming kernel and argument: the kernel has no argument of a name, or of another type; one is
+// missing, or given twice. Not for two threads with one kernel at a time.
+template <Launchable... Arguments>
+void launch(const cl::CommandQueue& queue, const Kernel& kernel, const cl::NDRange& global, const cl::NDRange& local,
             const Arguments&... arguments) {
-  if (launch_detail::is_empty(global)) return;
-  const std::string name = kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
-  checked("launch of kernel " + name, [&] {
-    launch_detail::set_arguments(kernel, name, arguments...);
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local);
-  });
+  const std::array<launch_detail::Binding, sizeof...(Arguments)> bindings{launch_detail::binding(arguments)...};
+  launch_detail::launch(queue, kernel, cl::NullRange, global, local, bindings);
+}
+
+// The same, with work-items that are numbered from `first` on.
+struct FirstItem {
+  std::size_t number;
+};
+template <Launchable... Arguments>
+void launch(const cl::CommandQueue& queue, const Kernel& kernel, FirstItem first, const cl::NDRange& global,
+            const cl::NDRange& local, const Arguments&... arguments) {
+  const std::array<launch_detail::Binding, sizeof...(Arguments)> bindings{launch_detail::binding(arguments)...};
+  const cl::NDRange offset = first.number == 0 ? cl::NullRange : cl::NDRange(first.number);
+  launch_detail::launch(queue, kernel, offset, global, local, bindings);
 }
 
 }  // namespace morphcl

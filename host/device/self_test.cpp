@@ -4,18 +4,38 @@
 
 #include <algorithm>
 
+#include "host/device/device_buffer.hpp"
 #include "host/device/launch.hpp"
 #include "host/device/self_test_reference.hpp"
-#include "host/device/shared_buffer.hpp"
 
 namespace morphcl {
 
 namespace {
 
-SharedBuffer upload(const cl::Context& context, const cl::CommandQueue& queue, const std::vector<float>& values) {
-  SharedBuffer buffer(context);
-  buffer.ensure(values.size() * sizeof(float));
-  std::copy(values.begin(), values.end(), buffer.map<float>(queue, values.size()).data());
+struct Operands {
+  using Element = float;
+  static constexpr std::string_view type = "float";
+};
+struct A : Operands {
+  static constexpr std::string_view name = "a_values";
+};
+struct B : Operands {
+  static constexpr std::string_view name = "b_values";
+};
+struct C : Operands {
+  static constexpr std::string_view name = "c_values";
+};
+struct Results {
+  using Element = cl_uint;
+  static constexpr std::string_view name = "results", type = "uint";
+};
+
+template <class Meaning>
+DeviceBuffer<Meaning> upload(const cl::Context& context, const cl::CommandQueue& queue,
+                             const std::vector<float>& values) {
+  DeviceBuffer<Meaning> buffer(context);
+  buffer.ensure(values.size());
+  std::copy(values.begin(), values.end(), buffer.map(queue, values.size()).data());
   return buffer;
 }
 
@@ -36,20 +56,21 @@ std::string compare(SelfTest test, const SelfTestOperands& operands, const std::
 
 }  // namespace
 
-SelfTestResult run_self_test(const cl::Context& context, const cl::CommandQueue& queue, cl::Kernel scalar,
-                             cl::Kernel vector) {
+SelfTestResult run_self_test(const cl::Context& context, const cl::CommandQueue& queue, const Kernel& scalar,
+                             const Kernel& vector) {
   const SelfTestOperands operands = self_test_operands();
-  const SharedBuffer a = upload(context, queue, operands.a), b = upload(context, queue, operands.b),
-                     c = upload(context, queue, operands.c);
+  const auto a = upload<A>(context, queue, operands.a);
+  const auto b = upload<B>(context, queue, operands.b);
+  const auto c = upload<C>(context, queue, operands.c);
   constexpr std::size_t result_count = self_test_count * self_test_elements;
-  SharedBuffer results(context);
-  results.ensure(result_count * sizeof(std::uint32_t));
+  DeviceBuffer<Results> results(context);
+  results.ensure(result_count);
 
   SelfTestResult outcome;
-  const auto run = [&](cl::Kernel& kernel, std::size_t lanes, const char* form) {
-    launch(queue, kernel, cl::NDRange(self_test_elements / lanes), cl::NDRange(16), a.buffer(), b.buffer(), c.buffer(),
-           cl_uint{self_test_elements}, results.buffer());
-    const auto mapped = results.map<const std::uint32_t>(queue, result_count);
+  const auto run = [&](const Kernel& kernel, std::size_t lanes, const char* form) {
+    launch(queue, kernel, cl::NDRange(self_test_elements / lanes), cl::NDRange(16), a, b, c,
+           Named{"count", cl_uint{self_test_elements}}, results);
+    const auto mapped = results.read(queue, result_count);
     for (int i = 0; i < self_test_count; ++i) {
       const SelfTest test = static_cast<SelfTest>(i);
       if (lanes == 1 && is_vector_only(test)) continue;

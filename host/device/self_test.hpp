@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "host/device/kernel.hpp"
 #include "host/device/opencl.hpp"
 #include "host/device/session.hpp"
 
@@ -15,7 +16,7 @@ struct SelfTestResult {
 
 // Runs both kernels of self_test.cl on the operands of self_test_reference.hpp and compares every bit. A launch that
 // fails is an Error.
-SelfTestResult run_self_test(const cl::Context& context, const cl::CommandQueue& queue, cl::Kernel scalar,
-                             cl::Kernel vector);
+SelfTestResult run_self_test(const cl::Context& context, const cl::CommandQueue& queue, const Kernel& scalar,
+                             const Kernel& vector);
 
 }  // namespace morphcl

@@ -23,20 +23,11 @@ namespace morphcl {
 
 namespace {
 
-constexpr const char* self_test_stage = "self_test";
-
 struct SourceProgram {
   cl::Program program;
+  std::string text;
   std::set<std::string> unstored;  // kernels in use that the cache does not have yet
 };
-
-const std::string& embedded_source(const std::string& stage) {
-  const auto& sources = kernel_sources();
-  const auto source = std::find_if(sources.begin(), sources.end(), [&](const auto& s) { return s.stage == stage; });
-  if (source == sources.end())
-    throw Error(ErrorKind::internal, "", fmt::format("no kernel program \"{}\" is embedded in this build", stage));
-  return source->text;
-}
 
 std::string first_line(const std::string& log) {
   const std::size_t begin = log.find_first_not_of(" \t\r\n");
@@ -44,14 +35,14 @@ std::string first_line(const std::string& log) {
   return log.substr(begin, log.find_first_of("\r\n", begin) - begin);
 }
 
-cl::Program build_from_source(const cl::Context& context, const std::string& stage, const std::string& source,
+cl::Program build_from_source(const cl::Context& context, const std::string& file, const std::string& text,
                               const std::string& options) {
-  cl::Program program(context, source);
+  cl::Program program(context, text);
   try {
     program.build(options.c_str());
   } catch (const cl::BuildError& error) {
     const auto logs = error.getBuildLog();
-    throw Error(ErrorKind::internal, "kernels/" + stage + ".cl",
+    throw Error(ErrorKind::internal, file,
                 fmt::format("{}: {}", cl_code_name(error.err()), first_line(logs.empty() ? "" : logs.front().second)));
   }
   return program;
@@ -69,7 +60,7 @@ struct Session::Impl {
   SelfTestResult self_test;
 
   std::mutex programs_mutex;
-  using ProgramKey = std::pair<std::string, std::string>;              // stage, all build options
+  using ProgramKey = std::pair<std::string, std::string>;              // file, all build options
   std::map<std::pair<ProgramKey, std::string>, cl::Program> programs;  // by kernel as well
   std::map<ProgramKey, SourceProgram> source_programs;
 
@@ -82,24 +73,29 @@ struct Session::Impl {
     cache.emplace(choose_cache_dir(options.cache_dir), compiler_identity(chosen.device, chosen.platform));
   }
 
-  std::string source_of(const std::string& stage) const {
-    const std::string& source = embedded_source(stage);
-    return edit_source ? edit_source(source) : source;
-  }
+  std::string text_of(const KernelSource& source) const { return edit_source ? edit_source(source.text) : source.text; }
 
   // The program to take this kernel from. A cached binary counts only for the kernels that had run when it was made
   // (see ProgramCache); all others come from one program built from source.
-  cl::Program program(const std::string& stage, const std::string& kernel, const std::string& more_options = "") {
+  cl::Program program(const KernelSource& source, const std::string& kernel, const std::string& more_options = "") {
     const std::lock_guard lock(programs_mutex);
-    const ProgramKey key{stage, build_options + more_options};
+    const ProgramKey key{source.file, build_options + more_options};
     cl::Program& program = programs[{key, kernel}];
     if (program()) return program;
-    const std::string source = source_of(stage);
-    if (auto cached = cache->load(context, source, key.second, kernel)) return program = *cached;
+    const std::string text = text_of(source);
+    if (auto cached = cache->load(context, text, key.second, kernel)) return program = *cached;
     SourceProgram& built = source_programs[key];
-    if (!built.program()) built.program = build_from_source(context, stage, source, key.second);
+    if (!built.program()) {
+      built.program = build_from_source(context, source.file, text, key.second);
+      built.text = text;
+    }
     built.unstored.insert(kernel);
     return program = built.program;
+  }
+
+  Kernel kernel(const KernelSource& source, const std::string& name, const std::string& more_options = "") {
+    const KernelSignature& signature = signature_of(source, name);
+    return Kernel(cl::Kernel(program(source, name, more_options), name.c_str()), signature);
   }
 
   // Each kernel once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
@@ -112,12 +108,12 @@ struct Session::Impl {
   }
 
   void run_self_test() {
-    const std::string source = source_of(self_test_stage);
-    if (cache->is_known_identical(source, build_options)) return;
-    const auto test_kernel = [&](const char* name) { return cl::Kernel(program(self_test_stage, name), name); };
+    const KernelSource& source = kernel_source("self_test");
+    const std::string text = text_of(source);
+    if (cache->is_known_identical(text, build_options)) return;
     self_test =
-        morphcl::run_self_test(context, queue, test_kernel("self_test_scalar"), test_kernel("self_test_vector"));
-    if (self_test.verdict == Verdict::identical) cache->remember_identical(source, build_options);
+        morphcl::run_self_test(context, queue, kernel(source, "self_test_scalar"), kernel(source, "self_test_vector"));
+    if (self_test.verdict == Verdict::identical) cache->remember_identical(text, build_options);
   }
 };
 
@@ -142,15 +138,15 @@ const std::string& Session::verdict_detail() const { return impl_->self_test.det
 const cl::Context& Session::context() const { return impl_->context; }
 const cl::CommandQueue& Session::queue() const { return impl_->queue; }
 
-cl::Kernel Session::kernel(const std::string& stage, const std::string& kernel_name, const std::string& more_options) {
-  return checked(fmt::format("kernel {} of kernels/{}.cl", kernel_name, stage),
-                 [&] { return cl::Kernel(impl_->program(stage, kernel_name, more_options), kernel_name.c_str()); });
+Kernel Session::kernel(const KernelSource& source, const std::string& kernel_name, const std::string& more_options) {
+  return checked(fmt::format("kernel {} of {}", kernel_name, source.file),
+                 [&] { return impl_->kernel(source, kernel_name, more_options); });
 }
 
 void Session::store_programs() {
   try {
     for (const auto& [key, built] : impl_->take_unstored())
-      impl_->cache->store(built.program, impl_->source_of(key.first), key.second, built.unstored);
+      impl_->cache->store(built.program, built.text, key.second, built.unstored);
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/device/kernel.hpp"
 #include "host/device/opencl.hpp"
 
 namespace morphcl {
@@ -50,11 +51,11 @@ class Session {
   const cl::Context& context() const;
   const cl::CommandQueue& queue() const;  // in order
 
-  // A kernel of the embedded program `stage` ("bin_triangles" for kernels/bin_triangles.cl), built on first use from
-  // the cached binary, else from source. Thread-safe; each call returns a kernel object of its own, so that threads do
-  // not share arguments. Errors name the stage and hold the first line of the build log. `more_options` ("
-  // -DNAME=VALUE") are added to those of every kernel; each choice of them is a program of its own.
-  cl::Kernel kernel(const std::string& stage, const std::string& kernel_name, const std::string& more_options = "");
+  // A kernel of a program that the build embedded, built on first use from the cached binary, else from source.
+  // Thread-safe; each call returns a kernel object of its own, so that threads do not share arguments. Errors name the
+  // file and hold the first line of the build log. `more_options` (" -DNAME=VALUE") are added to those of every kernel;
+  // each choice of them is a program of its own.
+  Kernel kernel(const KernelSource& source, const std::string& kernel_name, const std::string& more_options = "");
 
   // Stores the binaries of programs that were built from source, for the kernels taken from them so far. These must
   // have run by now: binaries hold work-group functions. Call it after the first frame is written, or from a thread of

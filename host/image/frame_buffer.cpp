@@ -37,12 +37,10 @@ char* map_huge(std::size_t bytes) {
 
 void FrameBuffer::Unmap::operator()(void* memory) const { munmap(memory, bytes); }
 
-template <class T>
-std::unique_ptr<T[], FrameBuffer::Unmap> FrameBuffer::map_memory(std::size_t bytes) {
-  if (bytes == 0) return nullptr;
+std::unique_ptr<std::byte[], FrameBuffer::Unmap> FrameBuffer::map_memory(std::size_t bytes) {
   const std::size_t mapped = round_up(bytes, page_bytes);
   void* memory = mapped >= huge_page_bytes ? map_huge(mapped) : map(mapped);
-  return std::unique_ptr<T[], Unmap>(static_cast<T*>(memory), Unmap{mapped});
+  return std::unique_ptr<std::byte[], Unmap>(static_cast<std::byte*>(memory), Unmap{mapped});
 }
 
 FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
@@ -53,21 +51,22 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
   const auto tiles = [](int pixels) { return static_cast<int>((pixels + tile_side - 1) / tile_side); };
   tiles_x_ = tiles(width);
   tiles_y_ = tiles(height);
-  row_bytes_ = padded_width() * ((color ? 4 * sizeof(std::uint16_t) : 0) + (depth ? sizeof(float) : 0));
-  memory_ = map_memory<std::byte>(bytes());
-  blank_blocks_ = map_memory<std::uint32_t>(static_cast<std::size_t>(tiles_x_) * tiles_y_ * sizeof(std::uint32_t));
+  constexpr std::size_t cache_line = 64;
+  row_bytes_ = notes_offset() + round_up(static_cast<std::size_t>(tiles_x_) * sizeof(std::uint32_t), cache_line);
+  memory_ = map_memory(bytes());
 }
 
 FrameBuffer::Memory FrameBuffer::memory() {
   const bool notes_hold = any_blank_;
-  const std::size_t tiles = static_cast<std::size_t>(tiles_x_) * tiles_y_;
-  // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
-  if (!notes_hold) std::fill_n(blank_blocks_.get(), tiles, 0u);
   any_blank_ = true;
-  return {memory_.get(),  row_bytes_,
-          bytes(),        {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
-          depth_offset(), blank_blocks_.get(),
-          tiles,          notes_hold};
+  const Memory memory{memory_.get(),  row_bytes_,
+                      bytes(),        {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
+                      depth_offset(), notes_offset(),
+                      notes_hold};
+  // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
+  if (!notes_hold)
+    for (int tile_y = 0; tile_y < tiles_y_; ++tile_y) std::fill_n(&memory.note(0, tile_y), tiles_x_, 0u);
+  return memory;
 }
 
 }  // namespace morphcl

@@ -1,8 +1,8 @@
 // A rendered frame in host memory: half R, G, B, A and float Z, row after row from the top.
 //
 // One piece of memory holds the whole frame. A row of the picture is a row of each channel, one after the other, as in
-// a scan line of an EXR file: R, G, B, A, then Z, of which those that were not asked for are left out. Any number of
-// channels fits this, and some rows of the picture are one contiguous piece, which can be handed to a device that does
+// a scan line of an EXR file: R, G, B, A, then Z, of which those that were not asked for are left out; last come notes
+// for the renderer. Any number of channels fits this, and some rows of the picture are one contiguous piece, which can be handed to a device that does
 // not take the whole at once. The next row starts row_bytes() further on. What lies in a row behind a channel's width()
 // elements is padding without meaning, as are rows below the picture: both are rounded up to whole tiles (64 pixels),
 // so that kernels store whole vectors. Every row of every channel starts on a cache line, and the frame on a page (one
@@ -22,6 +22,8 @@ namespace morphcl {
 
 class FrameBuffer {
  public:
+  static constexpr std::size_t tile_side = 64, block_side = 16;
+
   // Pixels a side. A channel of the largest frame holds 2^30 elements.
   static constexpr int max_side = 32768;
 
@@ -50,8 +52,8 @@ class FrameBuffer {
   }
   std::span<const float> depth_row(int y) const { return row<float>(has_depth_, y, depth_offset()); }
 
-  // The memory itself: pixel (x, y) of a channel is at byte y * row_bytes() + its offset + x * its element's size. Null
-  // in a frame without channels. bytes() counts the padding, of rows below the picture too.
+  // The memory itself: pixel (x, y) of a channel is at byte y * row_bytes() + its offset + x * its element's size.
+  // bytes() counts the padding, of rows below the picture too.
   std::byte* data() {
     forget_blank_tiles();
     return memory_.get();
@@ -68,30 +70,31 @@ class FrameBuffer {
   int tiles_x() const { return tiles_x_; }
   int tiles_y() const { return tiles_y_; }
   bool blank(int tile_x, int tile_y) const {
-    return any_blank_ && blank_blocks_[static_cast<std::size_t>(tile_y) * tiles_x() + tile_x] == all_blocks;
+    return any_blank_ && note(tile_x, tile_y) == all_blocks;
   }
 
   // The same of a block of 16 x 16 pixels.
   bool blank_block(int block_x, int block_y) const {
-    const std::size_t tile = static_cast<std::size_t>(block_y / 4) * tiles_x() + block_x / 4;
-    return any_blank_ && (blank_blocks_[tile] >> (block_y % 4 * 4 + block_x % 4) & 1u) != 0;
+    return any_blank_ && (note(block_x / 4, block_y / 4) >> (block_y % 4 * 4 + block_x % 4) & 1u) != 0;
   }
   int blocks_x() const { return tiles_x() * 4; }
 
-  // For a renderer, which keeps the notes true to what it writes: one for each tile, row by row; bit b is set when the
-  // tile's block b of 16 x 16 pixels (four a row) is blank.
+  // For a renderer, which keeps the notes true to what it writes: those of a row of tiles stand one after the other in
+  // the first row of their pixels, from notes_offset on; bit b is set when the tile's block b of 16 x 16 pixels (four a
+  // row) is blank.
   struct Memory {
     std::byte* data;        // as above: data(), row_bytes(), bytes(), the channels' offsets
     std::size_t row_bytes;  // 64 times this is a multiple of a page
     std::size_t bytes;
     std::size_t color_offset[4], depth_offset;  // of channels that the frame lacks: without meaning
-    std::uint32_t* blank_blocks;
-    std::size_t tiles;
+    std::size_t notes_offset;
+    std::uint32_t& note(int tile_x, int tile_y) const {
+      std::byte* const row = data + static_cast<std::size_t>(tile_y) * tile_side * row_bytes;
+      return reinterpret_cast<std::uint32_t*>(row + notes_offset)[tile_x];
+    }
     bool notes_hold;  // false: the notes are void, others may have written to the frame since they were made
   };
   Memory memory();
-
-  static constexpr std::size_t tile_side = 64, block_side = 16;
 
  private:
   static constexpr std::uint32_t all_blocks = 0xffff;
@@ -108,16 +111,19 @@ class FrameBuffer {
     std::size_t bytes;
     void operator()(void* memory) const;
   };
-  template <class T>
-  static std::unique_ptr<T[], Unmap> map_memory(std::size_t bytes);
+  std::uint32_t note(int tile_x, int tile_y) const {
+    const std::byte* const row = memory_.get() + static_cast<std::size_t>(tile_y) * tile_side * row_bytes_;
+    return reinterpret_cast<const std::uint32_t*>(row + notes_offset())[tile_x];
+  }
+  static std::unique_ptr<std::byte[], Unmap> map_memory(std::size_t bytes);
+  std::size_t notes_offset() const { return depth_offset() + (has_depth_ ? padded_width() * sizeof(float) : 0); }
 
   int width_, height_;
   bool has_color_, has_depth_;
   int tiles_x_ = 0, tiles_y_ = 0;
   std::size_t row_bytes_ = 0;
   std::unique_ptr<std::byte[], Unmap> memory_;
-  std::unique_ptr<std::uint32_t[], Unmap> blank_blocks_;
-  bool any_blank_ = false;  // false: blank_blocks_ is void
+  bool any_blank_ = false;  // false: the notes are void
 };
 
 constexpr float background_depth = 1e10f;

@@ -1,32 +1,77 @@
 #include "lab/accuracy/device_run.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 #include "host/device/launch.hpp"
+#include "lab/kernels/kernel_sources.hpp"
 
 namespace morphcl::accuracy {
 
 namespace {
 
+struct PlanesBuffer {
+  using Element = float;
+  static constexpr std::string_view name = "planes", type = "float";
+};
+struct ResultsBuffer {
+  using Element = float;
+  static constexpr std::string_view name = "results", type = "float";
+};
 template <class T>
-cl::Buffer buffer_of(const Session& session, const std::vector<T>& values) {
+struct ConstantsBuffer {
+  using Element = T;
+  static constexpr std::string_view name = "constants", type = std::is_same_v<T, float> ? "float" : "double";
+};
+
+template <class T>
+BufferAs<ConstantsBuffer<T>> constants_buffer(const Session& session, const std::vector<double>& values) {
   return checked("a buffer of constants", [&] {
-    std::vector<T> copy = values;
-    copy.resize(std::max<std::size_t>(copy.size(), 1));
-    return cl::Buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(T), copy.data());
+    std::vector<T> rounded(values.begin(), values.end());
+    rounded.resize(std::max<std::size_t>(rounded.size(), 1));
+    return BufferAs<ConstantsBuffer<T>>(cl::Buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                                                   rounded.size() * sizeof(T), rounded.data()));
   });
 }
 
-cl::Buffer constants_buffer(const Session& session, const std::vector<double>& values, bool fp64) {
-  if (fp64) return buffer_of(session, values);
-  std::vector<float> rounded;
-  for (const double value : values) rounded.push_back(static_cast<float>(value));
-  return buffer_of(session, rounded);
+template <class Meaning>
+BufferAs<Meaning> empty_buffer(const Session& session, std::size_t floats) {
+  return checked("a buffer of the batch", [&] {
+    return BufferAs<Meaning>(cl::Buffer(session.context(), CL_MEM_READ_WRITE, floats * sizeof(float)));
+  });
 }
 
-cl::Buffer empty_buffer(const Session& session, std::size_t floats) {
-  return checked("a buffer of the batch",
-                 [&] { return cl::Buffer(session.context(), CL_MEM_READ_WRITE, floats * sizeof(float)); });
+// T is the type of the constants.
+template <class T>
+DeviceRun prepare(Session& session, const KernelSource& program, const std::string& name, const Batch& batch,
+                  const std::vector<double>& constants, Planes<float>& results) {
+  const auto in = empty_buffer<PlanesBuffer>(session, batch.stored.values().size());
+  const auto out = empty_buffer<ResultsBuffer>(session, results.values().size());
+  const auto shared = constants_buffer<T>(session, constants);
+  const cl::CommandQueue queue = session.queue();
+  const std::vector<float>& planes = batch.stored.values();
+  const std::size_t count = batch.size();
+  const Kernel kernel = session.kernel(program, name);
+  DeviceRun run;
+  run.upload = [=, &planes] {
+    checked("writing a batch",
+            [&] { queue.enqueueWriteBuffer(in.buffer(), CL_TRUE, 0, planes.size() * sizeof(float), planes.data()); });
+  };
+  run.compute = [=](int times) {
+    constexpr std::size_t group = 64;
+    const std::size_t items = (count + group - 1) / group * group;
+    for (int i = 0; i < times; ++i)
+      launch(queue, kernel, cl::NDRange(items), cl::NDRange(group), in, shared, out,
+             Named{"count", static_cast<cl_uint>(count)});
+    checked("running " + name, [&] { queue.finish(); });
+  };
+  run.download = [=, &results] {
+    std::vector<float>& values = results.values();
+    checked("reading results",
+            [&] { queue.enqueueReadBuffer(out.buffer(), CL_TRUE, 0, values.size() * sizeof(float), values.data()); });
+  };
+  return run;
 }
 
 }  // namespace
@@ -34,32 +79,9 @@ cl::Buffer empty_buffer(const Session& session, std::size_t floats) {
 DevicePrepare kernel_run(const std::string& program, const std::string& kernel,
                          const std::function<std::vector<double>(const Batch&)>& constants) {
   return [=](Session& session, const Batch& batch, Planes<float>& results) {
-    const bool fp64 = program.size() > 4 && program.compare(program.size() - 4, 4, "_f64") == 0;
-    const cl::Buffer in = empty_buffer(session, batch.stored.values().size());
-    const cl::Buffer out = empty_buffer(session, results.values().size());
-    const cl::Buffer shared = constants_buffer(session, constants(batch), fp64);
-    const cl::CommandQueue queue = session.queue();
-    const std::vector<float>& planes = batch.stored.values();
-    const std::size_t count = batch.size();
-    cl::Kernel entry = session.kernel(program, kernel);
-    DeviceRun run;
-    run.upload = [=, &planes] {
-      checked("writing a batch",
-              [&] { queue.enqueueWriteBuffer(in, CL_TRUE, 0, planes.size() * sizeof(float), planes.data()); });
-    };
-    run.compute = [=](int times) mutable {
-      constexpr std::size_t group = 64;
-      const std::size_t items = (count + group - 1) / group * group;
-      for (int i = 0; i < times; ++i)
-        launch(queue, entry, cl::NDRange(items), cl::NDRange(group), in, shared, out, static_cast<cl_uint>(count));
-      checked("running " + kernel, [&] { queue.finish(); });
-    };
-    run.download = [=, &results] {
-      std::vector<float>& values = results.values();
-      checked("reading results",
-              [&] { queue.enqueueReadBuffer(out, CL_TRUE, 0, values.size() * sizeof(float), values.data()); });
-    };
-    return run;
+    const KernelSource& source = kernel_source(program, lab_kernel_sources());
+    return program.ends_with("_f64") ? prepare<double>(session, source, kernel, batch, constants(batch), results)
+                                     : prepare<float>(session, source, kernel, batch, constants(batch), results);
   };
 }
 

@@ -1,4 +1,4 @@
-// A variant's twin on the device: the batch's stored planes in a buffer, a kernel of kernels/accuracy_*.cl, its
+// A variant's twin on the device: the batch's stored planes in a buffer, a kernel of lab/kernels, its
 // results.
 #pragma once
 

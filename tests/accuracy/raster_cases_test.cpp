@@ -61,10 +61,10 @@ TEST(ExtremeCase, BehindTheEye) {
       corners.push_back(corner(p));
       const glm::vec2 image = naive::project(p);
       // An image is what lies in front of the near plane.
-      naive_form.add_exact(p.w >= plan.near_w || !(std::isfinite(image.x) && std::isfinite(image.y)));
+      naive_form.add_exact(p.w >= plan.camera.near_w || !(std::isfinite(image.x) && std::isfinite(image.y)));
     }
     for (const Corner& left : reference::clip_polygon(corners, plan, grid))
-      stable.add_exact(left.clip.w >= plan.near_w && std::isfinite(left.clip.x) && std::isfinite(left.clip.y));
+      stable.add_exact(left.clip.w >= plan.camera.near_w && std::isfinite(left.clip.x) && std::isfinite(left.clip.y));
   }
   expect_demand(stable, naive_form);
 }
@@ -79,15 +79,15 @@ TEST(ExtremeCase, NearClipping) {
     const glm::vec4 inner = any_clip_point(random, 0.2, 2), outer = any_clip_point(random, -2, 0.05);
     const auto forward = reference::clip_polygon({corner(inner), corner(outer)}, plan, grid);
     const auto backward = reference::clip_polygon({corner(outer), corner(inner)}, plan, grid);
-    const glm::vec4 a = naive::cut(inner, outer, plan.near_w), b = naive::cut(outer, inner, plan.near_w);
-    naive_form.add_exact(a == b && a.w == plan.near_w);
+    const glm::vec4 a = naive::cut(inner, outer, plan.camera.near_w), b = naive::cut(outer, inner, plan.camera.near_w);
+    naive_form.add_exact(a == b && a.w == plan.camera.near_w);
     stable.add_exact(forward.size() == backward.size());
     if (forward.size() != 2 || backward.size() != 2) continue;
     ++cut;
     stable.add_exact(bits_of(forward[1].clip) == bits_of(backward[0].clip));
-    stable.add_exact(forward[1].clip.w >= plan.near_w);
+    stable.add_exact(forward[1].clip.w >= plan.camera.near_w);
     const bool inside_guard = std::abs(outer.x) < 0.02f && std::abs(outer.y) < 0.02f;
-    if (inside_guard) stable.add_exact(forward[1].clip.w == plan.near_w);
+    if (inside_guard) stable.add_exact(forward[1].clip.w == plan.camera.near_w);
   }
   EXPECT_GT(cut, 1000);
   // The known cut, from w = 1 to w = -1 with near at w = 1/10: t = 9/20, x stays (inside the guard band).
@@ -95,7 +95,7 @@ TEST(ExtremeCase, NearClipping) {
       reference::clip_polygon({{{0.05f, 0, 0.1f, 1}, {1, 0, 0}}, {{0.05f, 0, 0.1f, -1}, {0, 1, 0}}}, plan, grid);
   ASSERT_EQ(known.size(), 2u);
   EXPECT_EQ(known[1].clip.x, 0.05f);
-  EXPECT_EQ(known[1].clip.w, plan.near_w);
+  EXPECT_EQ(known[1].clip.w, plan.camera.near_w);
   EXPECT_FLOAT_EQ(known[1].weight[0], 11 / 20.0f);
   EXPECT_FLOAT_EQ(known[1].weight[1], 9 / 20.0f);
   expect_demand(stable, naive_form);

@@ -122,14 +122,19 @@ void print_differences(std::size_t count) {
   fmt::print("largest_allocation {}\ndifferent {}\n", session->info().largest_allocation, different);
 }
 
+struct Values {
+  using Element = cl_int;
+  static constexpr std::string_view name = "values", type = "int";
+};
+
 void write_outside() {
   const auto session = Session::open({});
-  cl::Program program(session->context(),
-                      "kernel void stray(global int* values) { values[get_global_id(0) + 4] = 1; }");
-  program.build();
-  cl::Kernel stray(program, "stray");
-  const cl::Buffer buffer(session->context(), CL_MEM_READ_WRITE, 4 * sizeof(cl_int));
-  launch(session->queue(), stray, cl::NDRange(4), cl::NDRange(1), buffer);
+  const KernelSource source{"stray",
+                            "tests/device/device_child.cpp",
+                            "kernel void stray(global int* values) { values[get_global_id(0) + 4] = 1; }",
+                            {{"stray", {{"values", "int"}}}}};
+  const BufferAs<Values> values(cl::Buffer(session->context(), CL_MEM_READ_WRITE, 4 * sizeof(cl_int)));
+  launch(session->queue(), session->kernel(source, "stray"), cl::NDRange(4), cl::NDRange(1), values);
   session->queue().finish();
 }
 

@@ -1,9 +1,10 @@
-// Launches check what OpenCL would otherwise report late or not at all.
+// Launches bind arguments by name and check what OpenCL would otherwise report late or not at all.
 #include "host/device/launch.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host/device/shared_buffer.hpp"
+#include <type_traits>
+
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {
@@ -11,32 +12,93 @@ namespace {
 
 using testing::shared_session;
 
-constexpr const char* launch_source = R"CL(
+const KernelSource source = {"launch_test",
+                             "tests/device/launch_test.cpp",
+                             R"CL(
 kernel void fill(global int* values, int value) { values[get_global_id(0)] = value; }
-kernel void sum_of_group(global const int* values, local int* shared, global int* sums) {
+kernel void subtract(global const int* values, global const int* others, global int* results) {
+  results[get_global_id(0)] = values[get_global_id(0)] - others[get_global_id(0)];
+}
+kernel void sum_of_group(global const int* values, local int* shared, global int* results) {
   shared[get_local_id(0)] = values[get_global_id(0)];
   barrier(CLK_LOCAL_MEM_FENCE);
   if (get_local_id(0) == 0) {
     int sum = 0;
     for (uint i = 0; i < get_local_size(0); ++i) sum += shared[i];
-    sums[get_group_id(0)] = sum;
+    results[get_group_id(0)] = sum;
   }
 }
 typedef struct { int factor; float offset; } Settings;
-kernel void apply(global float* values, Settings settings) {
-  values[get_global_id(0)] = values[get_global_id(0)] * settings.factor + settings.offset;
+kernel void apply(global float* numbers, Settings settings) {
+  numbers[get_global_id(0)] = numbers[get_global_id(0)] * settings.factor + settings.offset;
 }
-)CL";
+)CL",
+                             {{"fill", {{"values", "int"}, {"value", "int"}}},
+                              {"subtract", {{"values", "int"}, {"others", "int"}, {"results", "int"}}},
+                              {"sum_of_group", {{"values", "int"}, {"shared", "int"}, {"results", "int"}}},
+                              {"apply", {{"numbers", "float"}, {"settings", "Settings"}}}}};
+
+struct Values {
+  using Element = cl_int;
+  static constexpr std::string_view name = "values", type = "int";
+};
+struct Others {
+  using Element = cl_int;
+  static constexpr std::string_view name = "others", type = "int";
+};
+struct Results {
+  using Element = cl_int;
+  static constexpr std::string_view name = "results", type = "int";
+};
+struct Numbers {
+  using Element = float;
+  static constexpr std::string_view name = "numbers", type = "float";
+};
+struct WronglyTyped {
+  using Element = float;
+  static constexpr std::string_view name = "values", type = "float";
+};
+
+// What the compiler refuses.
+template <class... Arguments>
+concept CanLaunch = requires(const cl::CommandQueue& queue, const Kernel& kernel, const Arguments&... arguments) {
+  launch(queue, kernel, cl::NDRange(1), cl::NDRange(1), arguments...);
+};
+static_assert(CanLaunch<DeviceBuffer<Values>, BufferAs<Others>, Named<cl_int>, LocalMemory>);
+static_assert(!CanLaunch<cl::Buffer>, "a buffer without a meaning");
+static_assert(!CanLaunch<SharedBuffer>, "a buffer without a meaning");
+static_assert(!CanLaunch<cl_int>, "a value without a name");
+template <class T>
+concept CanBeNamed = requires(T value) { Named<T>{"value", value}; };
+static_assert(CanBeNamed<cl_int> && !CanBeNamed<bool> && !CanBeNamed<const int*>, "no host pointers, no bool");
+
+// Buffers of one element type and different meaning are different types; none becomes another.
+static_assert(!std::is_same_v<DeviceBuffer<Values>, DeviceBuffer<Others>>);
+static_assert(!std::is_convertible_v<DeviceBuffer<Values>, DeviceBuffer<Others>>);
+static_assert(!std::is_constructible_v<DeviceBuffer<Others>, DeviceBuffer<Values>>);
+static_assert(!std::is_assignable_v<DeviceBuffer<Others>&, DeviceBuffer<Values>>);
+static_assert(!std::is_assignable_v<BufferAs<Others>&, BufferAs<Values>>);
+static_assert(!std::is_convertible_v<cl::Buffer, BufferAs<Values>>, "a meaning is said, not guessed");
+// Elements of another type neither go in nor come out.
+template <class T>
+concept CanBeMappedAs = requires(const DeviceBuffer<Values>& values, const cl::CommandQueue& queue, T* elements) {
+  elements = values.map(queue, 1).data();
+};
+static_assert(CanBeMappedAs<cl_int> && !CanBeMappedAs<float> && !CanBeMappedAs<cl_uint>);
 
 class Launch : public ::testing::Test {
  protected:
-  Launch() : program(shared_session().context(), launch_source), buffer(shared_session().context()) { program.build(); }
-
-  cl::Kernel kernel(const char* name) { return cl::Kernel(program, name); }
+  Kernel kernel(const char* name) { return shared_session().kernel(source, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }
+  template <class Meaning>
+  DeviceBuffer<Meaning> buffer(typename Meaning::Element first = {}) {
+    DeviceBuffer<Meaning> made(shared_session().context());
+    made.map(queue(), 1)[0] = first;
+    return made;
+  }
 
-  cl::Program program;
-  SharedBuffer buffer;
+  const cl::NDRange one{1};
+  DeviceBuffer<Values> values = buffer<Values>(1);
 };
 
 template <class Call>
@@ -51,57 +113,145 @@ void expect_error(ErrorKind kind, const std::string& part, Call call) {
 }
 
 TEST_F(Launch, PassesBuffersValuesStructsAndLocalMemory) {
-  cl::Kernel fill = kernel("fill"), sum = kernel("sum_of_group");
-  SharedBuffer sums(shared_session().context());
-  launch(queue(), fill, cl::NDRange(64), cl::NDRange(16), buffer.buffer(), cl_int{7});
-  launch(queue(), sum, cl::NDRange(64), cl::NDRange(16), buffer.buffer(), LocalMemory{16 * sizeof(cl_int)},
-         sums.buffer());
+  const auto results = buffer<Results>();
+  const Kernel fill = kernel("fill"), sum = kernel("sum_of_group"), apply = kernel("apply");
+  launch(queue(), fill, cl::NDRange(64), cl::NDRange(16), values, Named{"value", cl_int{7}});
+  launch(queue(), sum, cl::NDRange(64), cl::NDRange(16), values, LocalMemory{"shared", 16 * sizeof(cl_int)}, results);
   {
-    const auto results = sums.map<const cl_int>(queue(), 4);
-    for (const cl_int result : results.span()) EXPECT_EQ(result, 7 * 16);
+    const auto sums = results.read(queue(), 4);
+    for (const cl_int result : sums.span()) EXPECT_EQ(result, 7 * 16);
   }
-
   struct Settings {
     cl_int factor;
     cl_float offset;
   };
-  buffer.map<float>(queue(), 1)[0] = 3;
-  cl::Kernel apply = kernel("apply");
-  launch(queue(), apply, cl::NDRange(1), cl::NDRange(1), buffer.buffer(), Settings{5, 0.25f});
-  EXPECT_EQ(buffer.map<const float>(queue(), 1)[0], 15.25f);
+  const auto numbers = buffer<Numbers>(3);
+  launch(queue(), apply, one, one, numbers, Named{"settings", Settings{5, 0.25f}});
+  EXPECT_EQ(numbers.read(queue(), 1)[0], 15.25f);
+}
+
+TEST_F(Launch, TheOrderDoesNotMatter) {
+  const auto others = buffer<Others>(30);
+  const auto results = buffer<Results>();
+  values.map(queue(), 1)[0] = 100;
+  const Kernel subtract = kernel("subtract");
+  const auto result = [&] { return results.read(queue(), 1)[0]; };
+  launch(queue(), subtract, one, one, values, others, results);
+  EXPECT_EQ(result(), 70);
+  results.map(queue(), 1)[0] = 0;
+  launch(queue(), subtract, one, one, results, others, values);
+  EXPECT_EQ(result(), 70);
+  results.map(queue(), 1)[0] = 0;
+  launch(queue(), subtract, one, one, BufferAs<Others>(others.buffer()), results, values);
+  EXPECT_EQ(result(), 70);
 }
 
 TEST_F(Launch, AnEmptyRangeDoesNothing) {
-  cl::Kernel fill = kernel("fill");
-  buffer.map<cl_int>(queue(), 1)[0] = 1;
-  launch(queue(), fill, cl::NDRange(0), cl::NDRange(1), buffer.buffer(), cl_int{2});
-  launch(queue(), fill, cl::NDRange(4, 0), cl::NDRange(1, 1), buffer.buffer(), cl_int{2});
-  EXPECT_EQ(buffer.map<const cl_int>(queue(), 1)[0], 1);
+  const Kernel fill = kernel("fill");
+  launch(queue(), fill, cl::NDRange(0), one, values, Named{"value", cl_int{2}});
+  launch(queue(), fill, cl::NDRange(4, 0), cl::NDRange(1, 1), values, Named{"value", cl_int{2}});
+  EXPECT_EQ(values.read(queue(), 1)[0], 1);
 }
 
-TEST_F(Launch, AWrongNumberOfArgumentsNamesKernelAndNumbers) {
-  cl::Kernel fill = kernel("fill");
-  const cl::NDRange one(1);
-  expect_error(ErrorKind::internal, "kernel fill takes 2 arguments, 1 were given",
-               [&] { launch(queue(), fill, one, one, buffer.buffer()); });
-  expect_error(ErrorKind::internal, "kernel fill takes 2 arguments, 3 were given",
-               [&] { launch(queue(), fill, one, one, buffer.buffer(), cl_int{1}, cl_int{1}); });
+TEST_F(Launch, ANameThatTheKernelLacksIsRefusedBeforeItRuns) {
+  const Kernel fill = kernel("fill");
+  expect_error(ErrorKind::internal, "kernel fill: it has no argument \"others\"",
+               [&] { launch(queue(), fill, one, one, values, Named{"value", cl_int{2}}, buffer<Others>()); });
+  expect_error(ErrorKind::internal, "kernel fill: it has no argument \"valu\"",
+               [&] { launch(queue(), fill, one, one, values, Named{"valu", cl_int{2}}); });
+  EXPECT_EQ(values.read(queue(), 1)[0], 1);
 }
 
-TEST_F(Launch, AnArgumentOfWrongSizeNamesKernelAndCode) {
-  cl::Kernel fill = kernel("fill");
-  const cl::NDRange one(1);
-  expect_error(ErrorKind::internal, "kernel fill",
-               [&] { launch(queue(), fill, one, one, buffer.buffer(), cl_double{1}); });
-  expect_error(ErrorKind::internal, "CL_INVALID_ARG_SIZE",
-               [&] { launch(queue(), fill, one, one, buffer.buffer(), cl_double{1}); });
+TEST_F(Launch, ANameThatIsMissingIsRefusedBeforeItRuns) {
+  const Kernel fill = kernel("fill");
+  expect_error(ErrorKind::internal, "kernel fill: argument \"value\" is missing",
+               [&] { launch(queue(), fill, one, one, values); });
+  expect_error(ErrorKind::internal, "kernel fill: argument \"values\" is missing",
+               [&] { launch(queue(), fill, one, one, Named{"value", cl_int{2}}); });
+  expect_error(ErrorKind::internal, "is missing", [&] { launch(queue(), fill, one, one); });
+  EXPECT_EQ(values.read(queue(), 1)[0], 1);
+}
+
+// Also where the kernel object still has the argument from a launch before.
+TEST_F(Launch, WhatALaunchBeforeGaveIsNotTakenAgain) {
+  const Kernel fill = kernel("fill");
+  launch(queue(), fill, one, one, values, Named{"value", cl_int{2}});
+  expect_error(ErrorKind::internal, "is missing", [&] { launch(queue(), fill, one, one, values); });
+}
+
+TEST_F(Launch, ANameThatIsGivenTwiceIsRefusedBeforeItRuns) {
+  const Kernel fill = kernel("fill");
+  expect_error(ErrorKind::internal, "kernel fill: argument \"values\" is given twice",
+               [&] { launch(queue(), fill, one, one, values, Named{"value", cl_int{2}}, buffer<Values>()); });
+  EXPECT_EQ(values.read(queue(), 1)[0], 1);
+}
+
+TEST_F(Launch, AnotherTypeThanTheKernelDeclaresIsRefused) {
+  const Kernel fill = kernel("fill");
+  expect_error(ErrorKind::internal, "its argument \"values\" is of type int, and float was given",
+               [&] { launch(queue(), fill, one, one, buffer<WronglyTyped>(), Named{"value", cl_int{2}}); });
+  expect_error(ErrorKind::internal, "its argument \"value\" is of type int, and float was given",
+               [&] { launch(queue(), fill, one, one, values, Named{"value", 2.0f}); });
+}
+
+TEST_F(Launch, AStructOfWrongSizeNamesKernelAndCode) {
+  struct Short {
+    cl_int factor;
+  };
+  const Kernel apply = kernel("apply");
+  const auto call = [&] { launch(queue(), apply, one, one, buffer<Numbers>(), Named{"settings", Short{1}}); };
+  expect_error(ErrorKind::internal, "kernel apply", call);
+  expect_error(ErrorKind::internal, "CL_INVALID_ARG_SIZE", call);
 }
 
 TEST_F(Launch, AGroupThatDoesNotDivideTheRangeNamesKernelAndCode) {
-  cl::Kernel fill = kernel("fill");
-  const auto call = [&] { launch(queue(), fill, cl::NDRange(10), cl::NDRange(4), buffer.buffer(), cl_int{1}); };
+  const Kernel fill = kernel("fill");
+  const auto call = [&] { launch(queue(), fill, cl::NDRange(10), cl::NDRange(4), values, Named{"value", cl_int{1}}); };
   expect_error(ErrorKind::internal, "kernel fill", call);
   expect_error(ErrorKind::internal, "CL_INVALID_WORK_GROUP_SIZE (-54)", call);
+}
+
+// What the build found in the sources.
+TEST(KernelSignatures, HaveNamesAndTypesInTheKernelsOrder) {
+  const KernelSignature& vector = signature_of(kernel_source("self_test"), "self_test_vector");
+  ASSERT_EQ(vector.arguments.size(), 5u);
+  EXPECT_EQ(vector.arguments[0].name, "a_values");
+  EXPECT_EQ(vector.arguments[0].type, "float");
+  EXPECT_EQ(vector.arguments[3].name, "count");
+  EXPECT_EQ(vector.arguments[3].type, "uint");
+  // Made by a macro.
+  const KernelSignature& transform = signature_of(kernel_source("transform_f64"), "transform_xyz");
+  ASSERT_EQ(transform.arguments.size(), 4u);
+  EXPECT_EQ(transform.arguments[1].name, "rows");
+  EXPECT_EQ(transform.arguments[1].type, "double4");
+}
+
+TEST(KernelSignatures, NoKernelTakesMoreThanTwelveArguments) {
+  for (const KernelSource& program : kernel_sources())
+    for (const KernelSignature& kernel : program.kernels)
+      EXPECT_LE(kernel.arguments.size(), 12u) << program.file << ": " << kernel.name;
+}
+
+// The driver knows the names where it builds from source.
+TEST(KernelSignatures, AreThoseThatTheDriverKnows) {
+  for (const KernelSource& program : kernel_sources()) {
+    if (program.stage.ends_with("_f64") && !shared_session().info().fp64) continue;
+    cl::Program built(shared_session().context(), program.text);
+    built.build("-cl-std=CL1.2 -w -cl-kernel-arg-info");
+    std::vector<cl::Kernel> kernels;
+    built.createKernels(&kernels);
+    EXPECT_EQ(kernels.size(), program.kernels.size()) << program.file;
+    for (const cl::Kernel& kernel : kernels) {
+      const KernelSignature& signature = signature_of(program, kernel.getInfo<CL_KERNEL_FUNCTION_NAME>());
+      ASSERT_EQ(kernel.getInfo<CL_KERNEL_NUM_ARGS>(), signature.arguments.size()) << signature.name;
+      for (cl_uint i = 0; i < signature.arguments.size(); ++i) {
+        std::string name = kernel.getArgInfo<CL_KERNEL_ARG_NAME>(i);
+        // PoCL gives names that are functions of OpenCL as well a prefix.
+        if (name.starts_with("_cl_")) name.erase(0, 4);
+        EXPECT_EQ(name, signature.arguments[i].name) << signature.name;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -20,11 +20,7 @@ namespace {
 
 using testing::shared_session;
 
-std::string self_test_source() {
-  for (const KernelSource& source : kernel_sources())
-    if (source.stage == "self_test") return source.text;
-  throw std::runtime_error("kernels/self_test.cl is not embedded");
-}
+std::string self_test_source() { return kernel_source("self_test").text; }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   EXPECT_NE(text.find(from), std::string::npos) << "nothing to break: \"" << from << "\" is not in the kernel";
@@ -37,8 +33,10 @@ SelfTestResult run_source(const std::string& source, const std::string& options)
   Session& session = shared_session();
   cl::Program program(session.context(), source);
   program.build(options.c_str());
-  return run_self_test(session.context(), session.queue(), cl::Kernel(program, "self_test_scalar"),
-                       cl::Kernel(program, "self_test_vector"));
+  const auto kernel = [&](const char* name) {
+    return Kernel(cl::Kernel(program, name), signature_of(kernel_source("self_test"), name));
+  };
+  return run_self_test(session.context(), session.queue(), kernel("self_test_scalar"), kernel("self_test_vector"));
 }
 
 constexpr const char* strict_options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";

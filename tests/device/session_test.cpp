@@ -79,7 +79,7 @@ TEST(Session, WithoutAnyDeviceThePackageIsNamed) {
 TEST(Session, UnknownProgramsAndKernelsAreNamed) {
   const auto expect_named = [](const char* stage, const char* kernel, const char* named) {
     try {
-      shared_session().kernel(stage, kernel);
+      shared_session().kernel(kernel_source(stage), kernel);
       FAIL() << stage << "/" << kernel << " was found";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::internal);
@@ -87,13 +87,14 @@ TEST(Session, UnknownProgramsAndKernelsAreNamed) {
     }
   };
   expect_named("no_such_stage", "kernel", "no_such_stage");
-  expect_named("self_test", "no_such_kernel", "no_such_kernel");
+  expect_named("self_test", "no_such_kernel", "kernels/self_test.cl has no kernel no_such_kernel");
 }
 
 TEST(Session, KernelObjectsAreNotShared) {
-  cl::Kernel one = shared_session().kernel("self_test", "self_test_scalar");
-  cl::Kernel other = shared_session().kernel("self_test", "self_test_scalar");
-  EXPECT_NE(one(), other());
+  const KernelSource& source = kernel_source("self_test");
+  const Kernel one = shared_session().kernel(source, "self_test_scalar");
+  const Kernel other = shared_session().kernel(source, "self_test_scalar");
+  EXPECT_NE(one.object()(), other.object()());
 }
 
 }  // namespace

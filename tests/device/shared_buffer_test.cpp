@@ -14,6 +14,13 @@ namespace {
 
 using testing::shared_session;
 
+struct Values {
+  using Element = cl_uint;
+  static constexpr std::string_view name = "values", type = "uint";
+};
+
+BufferAs<Values> values_in(const SharedBuffer& buffer) { return BufferAs<Values>(buffer.buffer()); }
+
 const cl::CommandQueue& queue() { return shared_session().queue(); }
 
 TEST(SharedBuffer, StartsWithAPageAndNeverShrinks) {
@@ -38,10 +45,11 @@ TEST(SharedBuffer, IsAlignedToPagesAndLargeOnesToHugePages) {
 }
 
 TEST(SharedBuffer, HostAndDeviceSeeEachOthersWrites) {
-  cl::Program program(shared_session().context(),
-                      "kernel void increment(global int* values) { ++values[get_global_id(0)]; }");
-  program.build();
-  cl::Kernel increment(program, "increment");
+  const KernelSource source{"increment",
+                            "tests/device/shared_buffer_test.cpp",
+                            "kernel void increment(global uint* values) { ++values[get_global_id(0)]; }",
+                            {{"increment", {{"values", "uint"}}}}};
+  const Kernel increment = shared_session().kernel(source, "increment");
   SharedBuffer buffer(shared_session().context());
   constexpr int count = 3000;
   buffer.ensure(count * sizeof(int));
@@ -50,7 +58,7 @@ TEST(SharedBuffer, HostAndDeviceSeeEachOthersWrites) {
       const auto values = buffer.map<int>(queue(), count);
       for (int i = 0; i < count; ++i) values[i] = i * round;
     }
-    launch(queue(), increment, cl::NDRange(count), cl::NDRange(100), buffer.buffer());
+    launch(queue(), increment, cl::NDRange(count), cl::NDRange(100), values_in(buffer));
     const auto values = buffer.map<const int>(queue(), count);
     for (int i = 0; i < count; ++i) ASSERT_EQ(values[i], i * round + 1) << "element " << i << ", round " << round;
   }
@@ -58,19 +66,21 @@ TEST(SharedBuffer, HostAndDeviceSeeEachOthersWrites) {
 
 // A kernel is still at work on the old memory when the buffer grows; under a sanitizer a freed block would show.
 TEST(SharedBuffer, GrowsWhileTheDeviceUsesTheOldMemory) {
-  cl::Program program(shared_session().context(), R"CL(
+  const KernelSource source{"keep_busy",
+                            "tests/device/shared_buffer_test.cpp (keep_busy)",
+                            R"CL(
     kernel void keep_busy(global uint* values, uint rounds) {
       uint state = get_global_id(0);
       for (uint i = 0; i < rounds; ++i) {
         state = state * 1664525u + 1013904223u;
         values[(get_global_id(0) * 1024) + (state >> 22)] = state;
       }
-    })CL");
-  program.build();
-  cl::Kernel keep_busy(program, "keep_busy");
+    })CL",
+                            {{"keep_busy", {{"values", "uint"}, {"rounds", "uint"}}}}};
+  const Kernel keep_busy = shared_session().kernel(source, "keep_busy");
   SharedBuffer buffer(shared_session().context());
   buffer.ensure(16 * 1024 * sizeof(cl_uint));
-  launch(queue(), keep_busy, cl::NDRange(16), cl::NDRange(1), buffer.buffer(), cl_uint{1000000});
+  launch(queue(), keep_busy, cl::NDRange(16), cl::NDRange(1), values_in(buffer), Named{"rounds", cl_uint{1000000}});
   buffer.ensure(std::size_t{8} << 20);
   queue().finish();
   EXPECT_GE(buffer.capacity(), std::size_t{8} << 20);

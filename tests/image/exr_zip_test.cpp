@@ -87,7 +87,7 @@ void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with
     if (frame.has_depth())
       std::fill_n(reinterpret_cast<float*>(row + memory.depth_offset) + first, side, with ? 1.0f : background_depth);
   }
-  memory.blank_blocks[block_y / 4 * frame.tiles_x() + block_x / 4] |= 1u << (block_y % 4 * 4 + block_x % 4);
+  memory.note(block_x / 4, block_y / 4) |= 1u << (block_y % 4 * 4 + block_x % 4);
 }
 
 // What OpenEXR's file layout says, step by step.

@@ -44,7 +44,7 @@ TEST(FrameBuffer, OnlyWantedChannelsExist) {
   const FrameBuffer color(8, 8, true, false), depth(8, 8, false, true), none(8, 8, false, false);
   EXPECT_TRUE(color.has_color() && !color.has_depth() && color.depth_row(0).empty());
   EXPECT_TRUE(!depth.has_color() && depth.has_depth() && depth.color_row(3, 0).empty());
-  EXPECT_TRUE(!none.has_color() && !none.has_depth() && none.data() == nullptr && none.bytes() == 0);
+  EXPECT_TRUE(!none.has_color() && !none.has_depth() && none.color_row(0, 0).empty() && none.depth_row(0).empty());
 }
 
 // OpenCL uses the memory in place, also that of a band alone: some whole rows of tiles.
@@ -105,7 +105,7 @@ TEST(FrameBuffer, ImpossibleSizesAreRefused) {
 
 TEST(FrameBuffer, NotesOfBlankTilesAreGoneOnceOthersMayHaveWritten) {
   FrameBuffer frame(64, 64, true, true);
-  frame.memory().blank_blocks[0] = 0xffff;
+  frame.memory().note(0, 0) = 0xffff;
   EXPECT_TRUE(frame.blank(0, 0));
   EXPECT_TRUE(frame.memory().notes_hold);
   frame.color_row(0, 0)[0] = 1;

@@ -107,9 +107,9 @@ TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
     frame->color_row(2, 0)[5] = frame->color_row(2, 69)[149] = 0x3c00;
   }
   const FrameBuffer::Memory memory = marked.memory();  // the last to touch it, so that its notes hold
-  for (std::size_t tile = 0; tile < memory.tiles; ++tile) memory.blank_blocks[tile] = 0xffff;
-  memory.blank_blocks[0] = 0xfffe;  // all but the first block
-  memory.blank_blocks[5] = 0xfffd;  // all but the one with the last pixel
+  for (int tile = 0; tile < 6; ++tile) memory.note(tile % 3, tile / 3) = 0xffff;
+  memory.note(0, 0) = 0xfffe;  // all but the first block
+  memory.note(2, 1) = 0xfffd;  // all but the one with the last pixel
   EXPECT_EQ(pixel_hash(marked), pixel_hash(plain));
 }
 

@@ -18,8 +18,7 @@ namespace {
 const std::string pragma = "#pragma OPENCL FP_CONTRACT OFF\n";
 
 TEST(FpContract, IsOffInEveryKernelFile) {
-  for (const KernelSource& source : kernel_sources())
-    EXPECT_TRUE(source.text.starts_with(pragma)) << "kernels/" << source.stage << ".cl";
+  for (const KernelSource& source : kernel_sources()) EXPECT_TRUE(source.text.starts_with(pragma)) << source.file;
 }
 
 TEST(FpContract, WithoutThePragmaTheBitsChange) {

@@ -33,10 +33,10 @@ FrameBuffer draw(Renderer& renderer, const FramePlan& plan) {
 FrameBuffer draw(const Scene& scene) { return draw(*make_reference_renderer(), plan_frame(scene, 0)); }
 
 // 1 on the near plane, 0 on the far one, for the near plane as renderers have it.
-Exact closeness(const FramePlan& plan, double far, const Exact& distance) {
-  if (plan.parallel) return (Exact(far) - distance) / (Exact(far) + Exact(plan.near_depth));
-  const Exact ratio = std::isinf(far) ? Exact(0) : Exact(plan.near) / Exact(far);
-  return (Exact(plan.near) / distance - ratio) / (1 - ratio);
+Exact normalized_depth(const FramePlan& plan, double far, const Exact& distance) {
+  if (plan.camera.parallel) return (Exact(far) - distance) / (Exact(far) + Exact(plan.camera.near_depth));
+  const Exact ratio = std::isinf(far) ? Exact(0) : Exact(plan.camera.near) / Exact(far);
+  return (Exact(plan.camera.near) / distance - ratio) / (1 - ratio);
 }
 
 class DepthBuffers : public ::testing::TestWithParam<DepthFormat> {
@@ -46,9 +46,9 @@ class DepthBuffers : public ::testing::TestWithParam<DepthFormat> {
     return scene;
   }
   // What is stored, in numbers of which the larger is nearer.
-  Exact stored(const Exact& exact_closeness) const {
-    if (GetParam() == DepthFormat::forward_float) return -Exact(static_cast<float>(Exact(1 - exact_closeness)));
-    return round(exact_closeness * Exact(steps_of(GetParam())));
+  Exact stored(const Exact& exact_normalized_depth) const {
+    if (GetParam() == DepthFormat::forward_float) return -Exact(static_cast<float>(Exact(1 - exact_normalized_depth)));
+    return round(exact_normalized_depth * Exact(steps_of(GetParam())));
   }
 };
 INSTANTIATE_TEST_SUITE_P(Formats, DepthBuffers, ::testing::ValuesIn(depth_formats),
@@ -140,8 +140,8 @@ TEST_P(ForwardDepthBuffers, ShowTheNearerOfTwoWhereTheirNumbersDiffer) {
       const FrameBuffer frame = draw(*device, plan);
       int told_apart = 0, wrong = 0;
       for (int i = 0; i < Pairs::cells * Pairs::cells; ++i) {
-        const Exact nearer = stored(closeness(plan, far, pairs.nearer[i]));
-        const Exact farther = stored(closeness(plan, far, pairs.farther[i]));
+        const Exact nearer = stored(normalized_depth(plan, far, pairs.nearer[i]));
+        const Exact farther = stored(normalized_depth(plan, far, pairs.farther[i]));
         ASSERT_GE(nearer, farther);
         told_apart += nearer > farther;
         wrong += pairs.shows_nearer(frame, i) != (nearer > farther);
@@ -168,8 +168,8 @@ TEST(ReversedDepthBuffer, TellsApartEveryPairOfARelativeGapOf2ToTheMinus21) {
 // Slanted triangles, small and large: what is stored at every pixel is the exact plane through the snapped vertices,
 // rounded.
 //
-// Bound: u^2 = 2^-48. A corner's closeness is off by 15 u^2 (quotient, difference, product) of 1 / (1 - near / far) <
-// 2, over the area by 15 u^2 more, a term by 5 u^2 and two sums by 3 u^2 each: 60 u^2 of at most 1.
+// Bound: u^2 = 2^-48. A corner's normalized depth is off by 15 u^2 (quotient, difference, product) of 1 / (1 - near /
+// far) < 2, over the area by 15 u^2 more, a term by 5 u^2 and two sums by 3 u^2 each: 60 u^2 of at most 1.
 TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
   const double bound = 0.5 + 60 * 0x1p-48 * steps_of(GetParam()) + 0x1p-23;  // of a step; the last: near a tie
   std::mt19937 random(7);
@@ -204,7 +204,7 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
         const reference::Vertex& v = vertices[3 * sample.primitive + k];
         x[k] = v.screen.x;
         y[k] = v.screen.y;
-        c[k] = closeness(plan, far, plan.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
+        c[k] = normalized_depth(plan, far, plan.camera.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
       }
       const Exact px = i % 128 * 256 + 128, py = i / 128 * 256 + 128;
       const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
@@ -213,10 +213,11 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
       const Exact exact = (c[0] + w1 * (c[1] - c[0]) + w2 * (c[2] - c[0])) * Exact(steps_of(GetParam()));
       EXPECT_LE(abs(exact - Exact(sample.key)), bound) << "pixel " << i;
       // Z stands for the number stored, within three roundings.
-      const double distance =
-          distance_of_stored(GetParam(), {plan.parallel ? 0.5 : plan.near, far, plan.parallel}, sample.key);
-      const float z = plan.parallel ? -sample.depth : plan.near / sample.depth;
-      EXPECT_LE(std::abs(z - distance), 4 * 0x1p-24 * std::max(distance, plan.parallel ? far : 0.0)) << "pixel " << i;
+      const double distance = distance_of_stored(
+          GetParam(), {plan.camera.parallel ? 0.5 : plan.camera.near, far, plan.camera.parallel != 0}, sample.key);
+      const float z = plan.camera.parallel ? -sample.depth : plan.camera.near / sample.depth;
+      EXPECT_LE(std::abs(z - distance), 4 * 0x1p-24 * std::max(distance, plan.camera.parallel ? far : 0.0))
+          << "pixel " << i;
     }
     EXPECT_GT(seen, 2000);
   }
@@ -237,7 +238,8 @@ TEST_P(DepthBuffers, EndAtTheFarPlane) {
     int drawn = 0, beyond = 0;
     for (int y = 0; y < 120; ++y) {
       // y_eye and distance of the pixel's ray; the floor is y_world = -1.
-      const double t = plan.ray[2] * (y + 0.5) + plan.ray[3], down = 0.1 / std::sqrt(1.01), ahead = 1 / std::sqrt(1.01);
+      const double t = plan.camera.ray[2] * (y + 0.5) + plan.camera.ray[3], down = 0.1 / std::sqrt(1.01),
+                   ahead = 1 / std::sqrt(1.01);
       const double d = parallel ? (1 + t * ahead) / down : -1 / (t * ahead - down);
       if (!(d > 1.1) && parallel) continue;
       if (std::abs(d / far - 1) < 0x1p-20) continue;

@@ -24,8 +24,9 @@ Exact exact_value(DepthFormat format, const DepthRange& range, double distance) 
   const Exact n = range.near, f = range.far, d = distance;
   if (format == DepthFormat::reversed_float) return range.parallel ? Exact(-d) : Exact(n / d);
   const Exact ratio = std::isinf(range.far) ? Exact(0) : Exact(n / f);
-  const Exact closeness = range.parallel ? Exact((f - d) / (f - n)) : Exact((n / d - ratio) / (1 - ratio));
-  return format == DepthFormat::forward_float ? Exact(1 - closeness) : Exact(closeness * Exact(steps_of(format)));
+  const Exact normalized_depth = range.parallel ? Exact((f - d) / (f - n)) : Exact((n / d - ratio) / (1 - ratio));
+  return format == DepthFormat::forward_float ? Exact(1 - normalized_depth)
+                                              : Exact(normalized_depth * Exact(steps_of(format)));
 }
 
 // Spacing of the numbers around a value.

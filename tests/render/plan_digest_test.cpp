@@ -30,6 +30,11 @@ FramePlan some_plan() {
   return plan;
 }
 
+void replace_target(Draw& draw, const ActiveTarget& target) {
+  draw.targets = {};
+  draw.targets.push_back(target);
+}
+
 using Change = std::pair<const char*, std::function<void(FramePlan&)>>;
 
 const std::vector<Change> changes_of_pixels{
@@ -37,14 +42,20 @@ const std::vector<Change> changes_of_pixels{
     {"height", [](FramePlan& p) { ++p.height; }},
     {"color", [](FramePlan& p) { p.color = false; }},
     {"depth", [](FramePlan& p) { p.depth = false; }},
-    {"parallel", [](FramePlan& p) { p.parallel = true; }},
-    {"near plane", [](FramePlan& p) { p.near_plane[2] = 1; }},
-    {"near_w", [](FramePlan& p) { p.near_w = 2; }},
-    {"near_depth", [](FramePlan& p) { p.near_depth = 2; }},
-    {"far_depth", [](FramePlan& p) { p.far_depth = 2; }},
-    {"near", [](FramePlan& p) { p.near = 2; }},
-    {"ray", [](FramePlan& p) { p.ray[3] = 1; }},
-    {"slant", [](FramePlan& p) { p.slant[1] = 1; }},
+    {"parallel", [](FramePlan& p) { p.camera.parallel = true; }},
+    {"near plane", [](FramePlan& p) { p.camera.near_plane[2] = 1; }},
+    {"near_w", [](FramePlan& p) { p.camera.near_w = 2; }},
+    {"near_depth", [](FramePlan& p) { p.camera.near_depth = 2; }},
+    {"far_depth", [](FramePlan& p) { p.camera.far_depth = 2; }},
+    {"near", [](FramePlan& p) { p.camera.near = 2; }},
+    {"ray", [](FramePlan& p) { p.camera.ray[3] = 1; }},
+    {"depth of the far plane", [](FramePlan& p) { p.camera.depth_far[0] = 1; }},
+    {"rest of the depth of the far plane", [](FramePlan& p) { p.camera.depth_far[1] = 1; }},
+    {"depth scale", [](FramePlan& p) { p.camera.depth_scale[0] = 1; }},
+    {"rest of the depth scale", [](FramePlan& p) { p.camera.depth_scale[1] = 1; }},
+    {"depth span", [](FramePlan& p) { p.camera.depth_span = 1; }},
+    {"depth format", [](FramePlan& p) { p.depth_format = DepthFormat::fixed24; }},
+    {"slant", [](FramePlan& p) { p.camera.slant[1] = 1; }},
     {"ambient", [](FramePlan& p) { p.ambient[1] = 1; }},
     {"no light", [](FramePlan& p) { p.lights.clear(); }},
     {"light's kind", [](FramePlan& p) { p.lights[0].kind = LightKind::directional; }},
@@ -63,6 +74,30 @@ const std::vector<Change> changes_of_pixels{
     {"base colour", [](FramePlan& p) { p.draws[0].base_color[3] = 0; }},
     {"vertex colours", [](FramePlan& p) { p.draws[0].vertex_colors = true; }},
     {"target", [](FramePlan& p) { p.draws[1].targets.push_back({1, 1.0f, 0.0f}); }},
+    {"target's number", [](FramePlan& p) { replace_target(p.draws[0], {1, 0.5f, -0.5f}); }},
+    {"target's weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 1.0f, -0.5f}); }},
+    {"target's base weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 0.5f, 1.0f}); }},
+    {"rest of the target's weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 0.5f, -0.5f, 1.0f}); }},
+    {"vertex form",
+     [](FramePlan& p) {
+       VertexAccuracy accuracy;
+       accuracy.form = VertexForm::pivot;
+       p.draws[0].accuracy = std::make_shared<VertexAccuracy>(accuracy);
+     }},
+    {"pivot",
+     [](FramePlan& p) {
+       VertexAccuracy accuracy;
+       accuracy.form = VertexForm::pivot;
+       accuracy.pivot[1] = 1;
+       p.draws[0].accuracy = std::make_shared<VertexAccuracy>(accuracy);
+     }},
+    {"rest of object_to_clip",
+     [](FramePlan& p) {
+       VertexAccuracy accuracy;
+       accuracy.form = VertexForm::two_float;
+       accuracy.clip_rest[2][1] = 1;
+       p.draws[0].accuracy = std::make_shared<VertexAccuracy>(accuracy);
+     }},
     {"displaced positions",
      [](FramePlan& p) {
        DisplacedPositions displaced;

@@ -107,7 +107,7 @@ TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1, 1);
   const auto point = [&](float sign) {
-    reference::Corner corner{{30 * unit(random), 30 * unit(random), plan.near, sign * std::abs(unit(random)) + 0.1f},
+    reference::Corner corner{{30 * unit(random), 30 * unit(random), plan.camera.near, sign * std::abs(unit(random)) + 0.1f},
                              {0, 0, 0}};
     return corner;
   };
@@ -117,11 +117,11 @@ TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
     const auto left = reference::clip_polygon({a, b, c}, plan, grid),
                right = reference::clip_polygon({b, a, d}, plan, grid);
     // The near plane's cut of edge ab is in both polygons, unless the guard band took it away.
-    const auto on_edge = [&](const reference::Corner& corner) { return corner.clip.w == plan.near_w; };
+    const auto on_edge = [&](const reference::Corner& corner) { return corner.clip.w == plan.camera.near_w; };
     for (const reference::Corner& corner : left) {
-      if (!(corner.clip.w >= plan.near_w)) ADD_FAILURE() << "w = " << corner.clip.w << " is in front of near";
+      if (!(corner.clip.w >= plan.camera.near_w)) ADD_FAILURE() << "w = " << corner.clip.w << " is in front of near";
       if (on_edge(corner)) {
-        EXPECT_EQ(corner.clip.z, plan.near_depth * plan.near_w);
+        EXPECT_EQ(corner.clip.z, plan.camera.near_depth * plan.camera.near_w);
       }
     }
     const auto forward = reference::clip_polygon({a, b}, plan, grid),
@@ -165,7 +165,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
     ASSERT_EQ(vertices[i].outcode, 0);
     x[i] = vertices[i].screen.x;
     y[i] = vertices[i].screen.y;
-    depth[i] = Exact(plan.near) / Exact(vertices[i].clip.w);
+    depth[i] = Exact(plan.camera.near) / Exact(vertices[i].clip.w);
   }
   const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
   const double bound = 24 * std::ldexp(1.0, -24);
@@ -179,7 +179,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
       const Exact px = column * 256 + 128, py = row * 256 + 128;
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((py - y[0]) * (x[1] - x[0]) - (px - x[0]) * (y[1] - y[0])) / area;
-      const Exact exact = Exact(plan.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
+      const Exact exact = Exact(plan.camera.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
       const double error = std::abs(static_cast<double>((Exact(actual) - exact) / exact));
       worst = std::max(worst, error);
       ASSERT_LE(error, bound) << "pixel (" << column << ", " << row << "): expected " << static_cast<double>(exact)

@@ -6,7 +6,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::size_t most_buffers = 64;
+constexpr std::size_t max_buffers = 64;
 
 std::size_t largest_allocation(const cl::Context& context) {
   return context.getInfo<CL_CONTEXT_DEVICES>().front().getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
@@ -22,19 +22,16 @@ DevicePictures::DevicePictures(cl::Context context, std::size_t largest_band)
 
 DevicePicture DevicePictures::picture(FrameBuffer& frame) {
   // Forgotten between frames only: one picture's bands are kept together, however many they are.
-  if (buffers_.size() > most_buffers) buffers_.clear();
-  DevicePicture picture{{}, {}, frame.memory()};
+  if (buffers_.size() > max_buffers) buffers_.clear();
+  DevicePicture picture{{}, frame.memory()};
   const FrameBuffer::Memory& memory = picture.memory;
-  picture.blank_blocks = wrap(memory.blank_blocks, memory.tiles * sizeof(std::uint32_t));
   const std::size_t tile_row_bytes = memory.row_bytes * FrameBuffer::tile_side;
   const auto tile_rows = static_cast<std::size_t>(frame.tiles_y()), columns = static_cast<std::size_t>(frame.tiles_x());
-  const std::size_t rows_a_band =
-      tile_row_bytes == 0 ? tile_rows : std::clamp<std::size_t>(largest_band_ / tile_row_bytes, 1, tile_rows);
+  const std::size_t rows_a_band = std::clamp<std::size_t>(largest_band_ / tile_row_bytes, 1, tile_rows);
   for (std::size_t first = 0; first < tile_rows; first += rows_a_band) {
     const std::size_t rows = std::min(rows_a_band, tile_rows - first);
-    picture.bands.push_back(
-        {tile_row_bytes == 0 ? picture.blank_blocks : wrap(memory.data + first * tile_row_bytes, rows * tile_row_bytes),
-         static_cast<layout::uint>(first * columns), static_cast<layout::uint>(rows * columns)});
+    picture.bands.push_back({wrap(memory.data + first * tile_row_bytes, rows * tile_row_bytes),
+                             static_cast<layout::uint>(first * columns), static_cast<layout::uint>(rows * columns)});
   }
   return picture;
 }
@@ -50,13 +47,9 @@ cl::Buffer DevicePictures::wrap(void* memory, std::size_t bytes) {
 void DevicePictures::bring_to_host(const cl::CommandQueue& queue, const DevicePicture& picture) {
   checked("bringing the frame to the host", [&] {
     std::vector<std::pair<cl::Buffer, void*>> mapped;
-    const auto map = [&](const cl::Buffer& buffer) {
-      mapped.emplace_back(buffer,
-                          queue.enqueueMapBuffer(buffer, CL_FALSE, CL_MAP_READ, 0, buffer.getInfo<CL_MEM_SIZE>()));
-    };
-    map(picture.blank_blocks);
     for (const DevicePicture::Band& band : picture.bands)
-      if (band.rows() != picture.blank_blocks()) map(band.rows);
+      mapped.emplace_back(band.rows, queue.enqueueMapBuffer(band.rows, CL_FALSE, CL_MAP_READ, 0,
+                                                            band.rows.getInfo<CL_MEM_SIZE>()));
     queue.finish();
     for (const auto& [buffer, pointer] : mapped) queue.enqueueUnmapMemObject(buffer, pointer);
   });

@@ -13,11 +13,10 @@ namespace morphcl {
 struct DevicePicture {
   // Whole rows of tiles, from the top, that the device takes as one buffer; most pictures are one band.
   struct Band {
-    cl::Buffer rows;  // of a frame without channels: its blank_blocks, for kernels want some buffer
+    cl::Buffer rows;
     layout::uint first_tile, tiles;
   };
   std::vector<Band> bands;
-  cl::Buffer blank_blocks;
   FrameBuffer::Memory memory;
 };
 

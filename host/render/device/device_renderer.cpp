@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "host/device/launch.hpp"
-#include "host/device/shared_buffer.hpp"
 #include "host/error.hpp"
+#include "host/render/device/buffers.hpp"
 #include "host/render/device/device_picture.hpp"
-#include "host/render/device/device_table.hpp"
-#include "host/render/device/frame_tables.hpp"
-#include "host/render/device/kept_vertices.hpp"
-#include "host/render/device/mesh_store.hpp"
+#include "host/render/device/frame_memory.hpp"
+#include "host/render/device/table_buffer.hpp"
+#include "host/render/frame/bin_pools.hpp"
 #include "host/render/frame/require_fit.hpp"
 
 namespace morphcl {
@@ -27,59 +26,31 @@ std::string depth_options(DepthFormat format) {
   return format == DepthFormat::reversed_float ? "" : fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
 }
 
-// Room of one chunk's bins. It starts from a guess and grows to what a frame was found to need.
-struct Pools {
-  uint fragment_pages = 0, entry_pages = 0, large = 0, clipped = 256;
-
-  void guess(const layout::FrameConstants& frame) {
-    const uint primitives = frame.blocks_per_chunk * layout::lanes;
-    fragment_pages = std::max(fragment_pages, 256 + primitives / 32);
-    entry_pages = std::max(entry_pages, 64 + static_cast<uint>(frame.tiles_x * frame.tiles_y));
-    large = std::max(large, 64 + primitives / 8);
-  }
-  void grow_to(const layout::ChunkStatus& chunk) {
-    const auto with_margin = [](uint needed) { return needed + needed / 4; };
-    if (chunk.fragment_pages > fragment_pages) fragment_pages = with_margin(chunk.fragment_pages);
-    if (chunk.entry_pages > entry_pages) entry_pages = with_margin(chunk.entry_pages);
-    if (chunk.large > large) large = with_margin(chunk.large);
-  }
-};
-
 class DeviceRenderer : public Renderer {
  public:
   DeviceRenderer(std::shared_ptr<Session> session, std::size_t largest_band)
-      : session_(std::move(session)), meshes_(session_), pictures_(session_->context(), largest_band) {
-    overflow_.ensure(sizeof(uint));
-    overflow_.map<uint>(queue(), 1)[0] = 0;
-  }
+      : session_(std::move(session)), memory_(session_), pictures_(session_->context(), largest_band) {}
 
   void render(const FramePlan& plan, FrameBuffer& frame) override {
     require_fit(plan, frame);
-    depth_format_ = plan.depth_buffer.format;
-    if (meshes_.require(plan)) {
-      kept_.forget_meshes();
-      tables_.origin = {};
-      uploaded_origin_ = {};
-    }
+    depth_format_ = plan.depth_format;
     const DevicePicture picture = pictures_.picture(frame);
-    make_frame_tables(plan, meshes_, picture, tables_);
-    layout::FrameConstants constants = tables_.frame;
-    constants.keeps_blank_tiles &= picture.memory.notes_hold ? 1u : 0u;
     FinishAtExit finish_before_tables_go(queue());
-    upload_tables();
-    set_chunks(constants);
-    pools_.guess(constants);
-    if (!plan.keeps_vertices) kept_.forget();
+    memory_.start(plan, picture);
+    layout::FrameConstants constants = memory_.tables().frame;
+    constants.keeps_blank_tiles &= picture.memory.notes_hold ? 1u : 0u;
+    constants.first_clip_vertex = constants.vertex_group_count * layout::lanes;
     for (bool drawn = false, first = true; !drawn; first = false) {
       const bool stays = make_room(constants);
-      const Changes changes = first || !stays ? find_changes() : Changes{};
-      kept_.forget();
+      const FrameMemory::Changes changes = first || !stays ? memory_.changes() : FrameMemory::Changes{};
+      memory_.forget(FrameMemory::Lost::vertices);  // until the frame is drawn
+      upload_frame(constants, changes.vertex_chunks);
       prepare(constants, changes);
       shade(picture);
       drawn = finish(constants, picture);
     }
     finish_before_tables_go.not_needed();
-    kept_.remember(tables_);
+    memory_.drawn();
   }
 
   std::string name() const override { return session_->info().name; }
@@ -87,9 +58,9 @@ class DeviceRenderer : public Renderer {
  private:
   const cl::CommandQueue& queue() const { return session_->queue(); }
 
-  cl::Kernel& kernel(const char* stage, const char* name) {
-    cl::Kernel& found = kernels_[{depth_format_, name}];
-    if (!found()) found = session_->kernel(stage, name, depth_options(depth_format_));
+  const Kernel& kernel(const char* stage, const char* name) {
+    Kernel& found = kernels_[{depth_format_, name}];
+    if (!found) found = session_->kernel(kernel_source(stage), name, depth_options(depth_format_));
     return found;
   }
 
@@ -114,191 +85,135 @@ class DeviceRenderer : public Renderer {
     bool needed_ = true;
   };
 
-  void upload_tables() {
-    targets_.update(queue(), tables_.targets);
-    precise_.update(queue(), tables_.precise);
-    lights_.update(queue(), tables_.lights);
-    if (tables_.origin.version != 0 && tables_.origin == uploaded_origin_) return;
-    uploaded_origin_ = {};
-    draws_.update(queue(), tables_.draws);
-    const auto place_of = [](const layout::DrawConstants& draw) {
-      return std::array{draw.group_count, draw.block_count, draw.first_position};
-    };
-    std::vector<std::array<uint, 3>> places(tables_.draws.size());
-    std::transform(tables_.draws.begin(), tables_.draws.end(), places.begin(), place_of);
-    if (places != uploaded_places_) {
-      uploaded_places_.clear();
-      group_draw_.update(queue(), draw_of_groups(tables_.draws));
-      block_draw_.update(queue(), draw_of_blocks(tables_.draws));
-      position_draw_.update(queue(), draw_of_positions(tables_.draws));
-      uploaded_places_ = std::move(places);
-    }
-    uploaded_origin_ = tables_.origin;
-  }
-
-  // Chunks are a matter of load only: enough of them for the threads to share, each big enough to be worth its bins.
-  void set_chunks(layout::FrameConstants& constants) const {
-    const uint wanted = std::clamp(constants.block_count / 64, 1u, 64u);
-    constants.blocks_per_chunk = std::max((constants.block_count + wanted - 1) / wanted, 1u);
-    constants.chunk_count =
-        std::max((constants.block_count + constants.blocks_per_chunk - 1) / constants.blocks_per_chunk, 1u);
-    constants.first_clip_vertex = constants.group_count * layout::lanes;
-  }
-
   uint vertex_chunks(const layout::FrameConstants& constants) const {
-    return (constants.group_count + layout::groups_per_chunk - 1) / layout::groups_per_chunk;
+    return (constants.vertex_group_count + layout::vertex_groups_per_chunk - 1) / layout::vertex_groups_per_chunk;
   }
 
   // False when vertices and what belongs to them had to move, and are lost.
   bool make_room(layout::FrameConstants& constants) {
-    constants.fragment_pages = pools_.fragment_pages;
-    constants.entry_pages = pools_.entry_pages;
-    constants.large_capacity = pools_.large;
-    constants.clip_capacity = constants.clips ? pools_.clipped : 0;
-    const std::size_t chunks = constants.chunk_count,
-                      tiles = static_cast<std::size_t>(constants.tiles_x) * constants.tiles_y;
-    const std::size_t records =
-        constants.first_clip_vertex + std::size_t{constants.clip_capacity} * layout::clip_vertices;
+    const BinSizes sizes = lay_out_bins(session_->info().largest_allocation, pools_, constants);
+    const FrameTables& tables = memory_.tables();
+    const std::size_t records = constants.first_clip_vertex;
+    const std::size_t faces = std::size_t{constants.primitive_group_count} * layout::lanes;
     bool stays = true;
-    const auto ensure_kept = [&](SharedBuffer& buffer, std::size_t bytes) {
-      stays &= bytes <= buffer.capacity();
-      buffer.ensure(bytes);
-    };
-    ensure_kept(vertices_, records * 16);
-    ensure_kept(attributes_,
-                tables_.any_smooth || tables_.any_flat ? std::size_t{constants.first_clip_vertex} * 16 : 16);
-    ensure_kept(colors_, tables_.any_colors ? std::size_t{constants.first_clip_vertex} * 16 : 16);
-    ensure_kept(face_color_, tables_.any_flat ? std::size_t{constants.block_count} * layout::lanes * 16 : 16);
-    ensure_kept(vertex_status_, std::max(vertex_chunks(constants), 1u) * sizeof(uint));
-    clip_source_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
-    clip_count_.ensure(std::max(constants.clip_capacity, 1u) * sizeof(uint));
-    clip_weights_.ensure(std::max<std::size_t>(constants.clip_capacity, 1) * layout::clip_vertices * 16);
-    const std::size_t fragment_pages = chunks * pools_.fragment_pages, entry_pages = chunks * pools_.entry_pages;
-    fragment_heads_.ensure(chunks * tiles * sizeof(uint));
-    fragment_next_.ensure(fragment_pages * sizeof(uint));
-    fragment_keys_.ensure(fragment_pages * layout::page * sizeof(cl_ulong));
-    fragment_places_.ensure(fragment_pages * layout::page * sizeof(cl_ushort));
-    entry_heads_.ensure(chunks * tiles * sizeof(uint));
-    entry_next_.ensure(entry_pages * sizeof(uint));
-    entry_triangles_.ensure(entry_pages * layout::page * sizeof(uint));
-    large_.ensure(chunks * pools_.large * sizeof(layout::LargeTriangle));
-    status_.ensure(chunks * sizeof(layout::ChunkStatus));
-    frame_.update(queue(), &constants, 1);
-    if (!stays) kept_.forget();
+    const auto ensure_kept = [&](auto& buffer, std::size_t elements) { stays &= !buffer.ensure(elements); };
+    ensure_kept(vertices_, records + std::size_t{constants.clip_capacity} * layout::clip_vertices);
+    ensure_kept(attributes_, tables.any_smooth || tables.any_flat ? records : 1);
+    ensure_kept(colors_, tables.any_colors ? records : 1);
+    ensure_kept(face_colors_, tables.any_flat ? faces : 1);
+    clipped_.ensure_bytes(sizes.clipped);
+    fragment_keys_.ensure_bytes(sizes.fragment_keys);
+    large_.ensure_bytes(sizes.large);
+    // They hold which chunks of vertices need clipping.
+    if (bins_.ensure_bytes(sizes.bins)) {
+      stays = false;
+      bins_are_clear_ = false;
+    }
+    if (!bins_are_clear_) bins_.map(queue(), 1)[0] = {};
+    bins_are_clear_ = true;
+    if (!stays) memory_.forget(FrameMemory::Lost::vertices);
     return stays;
   }
 
-  // What of the frame before is not as it is to be.
-  struct Changes {
-    uint vertex_chunks = 0;
-    bool faces = false;
-  };
-  Changes find_changes() {
-    const std::vector<uint> chunks = kept_.changed_chunks(tables_);
-    const bool faces = tables_.any_flat && kept_.faces_changed(tables_);
-    if (!chunks.empty()) changed_chunks_.update(queue(), chunks);
-    return {static_cast<uint>(chunks.size()), faces};
+  enum FrameTable { frame_constants, light_constants, changed_vertex_chunks, precise_constants };
+
+  void upload_frame(layout::FrameConstants& constants, const std::vector<uint>& changed_chunks) {
+    const FrameTables& tables = memory_.tables();
+    frame_.make_room({sizeof constants, tables.lights.size() * sizeof(layout::LightConstants),
+                      changed_chunks.size() * sizeof(uint), tables.precise.size() * sizeof(layout::PreciseConstants)});
+    memory_.set_offsets(constants);
+    constants.lights = frame_.offset(light_constants);
+    constants.changed_vertex_chunks = frame_.offset(changed_vertex_chunks);
+    constants.precise = frame_.offset(precise_constants);
+    frame_.update(queue(), frame_constants, &constants, 1);
+    frame_.update(queue(), light_constants, tables.lights);
+    frame_.update(queue(), changed_vertex_chunks, changed_chunks);
+    frame_.update(queue(), precise_constants, tables.precise);
   }
 
   // From the vertices to the bins, in as few launches as their order allows: each takes longer than a small frame.
-  void prepare(const layout::FrameConstants& constants, Changes changes) {
-    const bool at_once =
-        changes.vertex_chunks == 1 && vertex_chunks(constants) == 1 && constants.chunk_count == 1 && !constants.clips;
-    if (!at_once) project(changes.vertex_chunks);
-    if (constants.clips) clip(constants);
-    const auto launch_bins = [&](const char* name, const auto&... more) {
-      launch(queue(), kernel("bin_primitives", name), cl::NDRange(constants.chunk_count), cl::NDRange(1),
-             frame_.buffer(), draws_.buffer(), block_draw_.buffer(), position_draw_.buffer(), meshes_.indices(),
-             vertices_.buffer(), clip_source_.buffer(), clip_count_.buffer(), fragment_heads_.buffer(),
-             fragment_next_.buffer(), fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(),
-             entry_next_.buffer(), entry_triangles_.buffer(), large_.buffer(), status_.buffer(), overflow_.buffer(),
-             more...);
-    };
-    if (at_once)
-      launch_bins("project_light_and_bin", lights_.buffer(), attributes_.buffer(), face_color_.buffer(),
-                  changed_chunks_.buffer(), targets_.buffer(), precise_.buffer(), group_draw_.buffer(),
-                  meshes_.mesh_data(), colors_.buffer(), vertex_status_.buffer());
-    else if (changes.faces)
-      launch_bins("light_and_bin_primitives", lights_.buffer(), attributes_.buffer(), face_color_.buffer());
-    else
-      launch_bins("bin_primitives");
-  }
-
-  void project(uint changed_chunks) {
-    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changed_chunks), cl::NDRange(1),
-           frame_.buffer(), changed_chunks_.buffer(), draws_.buffer(), targets_.buffer(), precise_.buffer(),
-           group_draw_.buffer(), meshes_.mesh_data(), vertices_.buffer(), attributes_.buffer(), colors_.buffer(),
-           vertex_status_.buffer());
-  }
-
-  void clip(const layout::FrameConstants& constants) {
+  void prepare(const layout::FrameConstants& constants, const FrameMemory::Changes& changes) {
     const cl::NDRange one(1), chunks(constants.chunk_count);
-    launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame_.buffer(), draws_.buffer(),
-           block_draw_.buffer(), meshes_.indices(), vertices_.buffer(), vertex_status_.buffer(),
-           vertex_chunks(constants), status_.buffer());
-    launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame_.buffer(), draws_.buffer(),
-           targets_.buffer(), precise_.buffer(), block_draw_.buffer(), meshes_.indices(), meshes_.mesh_data(),
-           vertices_.buffer(), status_.buffer(), clip_source_.buffer(), clip_count_.buffer(), clip_weights_.buffer());
+    const auto& draws = memory_.draws().buffer();
+    const auto& targets = memory_.targets().buffer();
+    const auto& mesh_data = memory_.meshes().mesh_data();
+    const auto& indices = memory_.meshes().indices();
+    const auto& frame = frame_.buffer();
+    if (changes.vertex_chunks.size() == 1 && vertex_chunks(constants) == 1 && constants.chunk_count == 1 &&
+        !constants.clips) {
+      launch(queue(), kernel("bin_primitives", "project_light_and_bin"), one, one, frame, draws, targets, mesh_data,
+             indices, vertices_, attributes_, colors_, face_colors_, fragment_keys_, bins_, large_);
+      return;
+    }
+    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changes.vertex_chunks.size()), one,
+           frame, draws, targets, mesh_data, vertices_, attributes_, colors_, bins_);
+    if (constants.clips) {
+      launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame, draws, indices, vertices_, bins_);
+      launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame, draws, targets, mesh_data,
+             indices, vertices_, clipped_, bins_);
+    }
+    if (changes.faces)
+      launch(queue(), kernel("bin_primitives", "light_and_bin_primitives"), chunks, one, frame, draws, indices,
+             vertices_, attributes_, face_colors_, clipped_, fragment_keys_, bins_, large_);
+    else
+      launch(queue(), kernel("bin_primitives", "bin_primitives"), chunks, one, frame, draws, indices, vertices_,
+             clipped_, fragment_keys_, bins_, large_);
   }
 
   // From the bins to the pixels.
   void shade(const DevicePicture& picture) {
-    const std::size_t tile_bytes = std::size_t{layout::tile} * layout::tile * 4;
     for (const DevicePicture::Band& band : picture.bands)
-      launch(queue(), kernel("shade_tiles", "shade_tiles"), cl::NDRange(band.tiles), cl::NDRange(1), frame_.buffer(),
-             draws_.buffer(), block_draw_.buffer(), meshes_.indices(), lights_.buffer(), vertices_.buffer(),
-             attributes_.buffer(), colors_.buffer(), face_color_.buffer(), clip_source_.buffer(),
-             clip_weights_.buffer(), status_.buffer(), fragment_heads_.buffer(), fragment_next_.buffer(),
-             fragment_keys_.buffer(), fragment_places_.buffer(), entry_heads_.buffer(), entry_next_.buffer(),
-             entry_triangles_.buffer(), large_.buffer(), overflow_.buffer(), band.first_tile, band.rows,
-             picture.blank_blocks, LocalMemory{tile_bytes}, LocalMemory{tile_bytes});
+      launch(queue(), kernel("shade_tiles", "shade_tiles"), FirstItem{band.first_tile}, cl::NDRange(band.tiles),
+             cl::NDRange(1), frame_.buffer(), memory_.draws().buffer(), memory_.meshes().indices(), vertices_,
+             attributes_, colors_, face_colors_, clipped_, fragment_keys_, bins_, large_,
+             BufferAs<buffers::Picture>(band.rows));
   }
 
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
   // drawn again.
   bool finish(const layout::FrameConstants& constants, const DevicePicture& picture) {
     checked("waiting for the frame",
-            [&] { queue().enqueueReadBuffer(overflow_.buffer(), CL_FALSE, 0, sizeof overflowed_, &overflowed_); });
+            [&] { queue().enqueueReadBuffer(bins_.buffer(), CL_FALSE, 0, sizeof overflow_, &overflow_); });
     DevicePictures::bring_to_host(queue(), picture);
-    if (overflowed_ == 0) return true;
-    overflow_.map<uint>(queue(), 1)[0] = 0;
-    const auto status = status_.map<const layout::ChunkStatus>(queue(), constants.chunk_count);
+    if (overflow_.overflow == 0) return true;
+    bins_are_clear_ = false;
+    checked("reading what the bins need", [&] {
+      statuses_.resize(constants.chunk_count);
+      queue().enqueueReadBuffer(bins_.buffer(), CL_TRUE, constants.bins.chunk_status,
+                                statuses_.size() * sizeof(layout::ChunkStatus), statuses_.data());
+    });
     uint clipped = 0;
-    for (const layout::ChunkStatus& chunk : status.span()) {
+    for (const layout::ChunkStatus& chunk : statuses_) {
       pools_.grow_to(chunk);
       clipped += chunk.clipped;
     }
-    if (constants.clips && clipped > pools_.clipped) pools_.clipped = clipped + clipped / 4;
+    if (constants.clips) pools_.grow_to_clipped(clipped);
     return false;
   }
 
-  SharedBuffer buffer() const { return SharedBuffer(session_->context()); }
+  template <class Meaning>
+  DeviceBuffer<Meaning> buffer() const {
+    return DeviceBuffer<Meaning>(session_->context());
+  }
 
   std::shared_ptr<Session> session_;
-  MeshStore meshes_;
-  Pools pools_;
-  uint overflowed_ = 0;                                     // read by the queue, which may finish after an error
+  FrameMemory memory_;
+  BinPools pools_;
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
-  std::map<std::pair<DepthFormat, std::string>, cl::Kernel> kernels_;
+  std::map<std::pair<DepthFormat, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
-  FrameTables tables_;
-  KeptVertices kept_;
-  DeviceTable<layout::FrameConstants> frame_{session_->context()};
-  DeviceTable<layout::DrawConstants> draws_{session_->context()};
-  DeviceTable<layout::TargetConstants> targets_{session_->context()};
-  DeviceTable<layout::LightConstants> lights_{session_->context()};
-  DeviceTable<layout::PreciseConstants> precise_{session_->context()};
-  DeviceTable<uint> group_draw_{session_->context()}, block_draw_{session_->context()},
-      position_draw_{session_->context()}, changed_chunks_{session_->context()};
-  std::vector<std::array<uint, 3>> uploaded_places_;  // of each draw, as the three tables have them
-  DrawsOrigin uploaded_origin_;
-  SharedBuffer vertices_ = buffer(), attributes_ = buffer(), colors_ = buffer(), face_color_ = buffer(),
-               vertex_status_ = buffer();
-  SharedBuffer clip_source_ = buffer(), clip_count_ = buffer(), clip_weights_ = buffer();
-  SharedBuffer fragment_heads_ = buffer(), fragment_next_ = buffer(), fragment_keys_ = buffer(),
-               fragment_places_ = buffer();
-  SharedBuffer entry_heads_ = buffer(), entry_next_ = buffer(), entry_triangles_ = buffer(), large_ = buffer();
-  SharedBuffer status_ = buffer(), overflow_ = buffer();
+  TableBuffer<buffers::Frame, 4> frame_{session_->context()};
+  DeviceBuffer<buffers::Vertices> vertices_ = buffer<buffers::Vertices>();
+  DeviceBuffer<buffers::Attributes> attributes_ = buffer<buffers::Attributes>();
+  DeviceBuffer<buffers::Colors> colors_ = buffer<buffers::Colors>();
+  DeviceBuffer<buffers::FaceColors> face_colors_ = buffer<buffers::FaceColors>();
+  DeviceBuffer<buffers::Clipped> clipped_ = buffer<buffers::Clipped>();
+  DeviceBuffer<buffers::FragmentKeys> fragment_keys_ = buffer<buffers::FragmentKeys>();
+  DeviceBuffer<buffers::Large> large_ = buffer<buffers::Large>();
+  DeviceBuffer<buffers::Bins> bins_ = buffer<buffers::Bins>();
+  bool bins_are_clear_ = false;    // their overflow flag is 0
+  layout::BinsHeader overflow_{};  // read by the queue, which may finish after an error
+  std::vector<layout::ChunkStatus> statuses_;
 };
 
 }  // namespace

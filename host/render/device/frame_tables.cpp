@@ -41,7 +41,7 @@ uint draw_flags(const Draw& draw) {
   return flags;
 }
 
-// Groups, blocks and targets follow those of the draws before.
+// Groups and targets follow those of the draws before.
 layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& mesh, layout::uint positions,
                                           const FrameTables& tables) {
   layout::DrawConstants constants{};
@@ -51,16 +51,16 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   copy(draw.base_color, constants.base_color);
   const StoredMesh::Primitives& primitives = draw.shading == Shading::wireframe ? mesh.edges : mesh.triangles;
   constants.flags = draw_flags(draw);
-  constants.group_count = mesh.vertex_groups;
-  constants.block_count = primitives.blocks;
+  constants.vertex_group_count = mesh.vertex_groups;
+  constants.primitive_group_count = primitives.groups;
   if (!tables.draws.empty()) {
     const layout::DrawConstants& before = tables.draws.back();
-    constants.first_group = before.first_group + before.group_count;
-    constants.first_block = before.first_block + before.block_count;
+    constants.first_vertex_group = before.first_vertex_group + before.vertex_group_count;
+    constants.first_primitive_group = before.first_primitive_group + before.primitive_group_count;
   }
   constexpr std::size_t most = (std::size_t{1} << 29) / layout::lanes - 1;
-  if (std::size_t{constants.first_group} + constants.group_count > most ||
-      std::size_t{constants.first_block} + constants.block_count > most)
+  if (std::size_t{constants.first_vertex_group} + constants.vertex_group_count > most ||
+      std::size_t{constants.first_primitive_group} + constants.primitive_group_count > most)
     throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");
   constants.positions = positions;
   constants.normals = mesh.normals;
@@ -100,16 +100,7 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, const DeviceP
   frame.offset_y = grid.offset_y;
   frame.guard_x = grid.guard_x;
   frame.guard_y = grid.guard_y;
-  copy(plan.near_plane, frame.near_plane);
-  frame.near_w = plan.near_w;
-  frame.near_depth = plan.near_depth;
-  frame.far_depth = plan.far_depth;
-  frame.near = plan.near;
-  copy(plan.ray, frame.ray);
-  copy(plan.slant, frame.slant);
-  copy(plan.depth_buffer.far, frame.depth_far);
-  copy(plan.depth_buffer.scale, frame.depth_scale);
-  frame.depth_span = plan.depth_buffer.span;
+  frame.camera = plan.camera;
   frame.width = plan.width;
   frame.height = plan.height;
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
@@ -117,8 +108,8 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, const DeviceP
   frame.row_bytes = static_cast<uint>(picture.memory.row_bytes);
   std::copy_n(picture.memory.color_offset, 4, frame.color_offset);
   frame.depth_offset = static_cast<uint>(picture.memory.depth_offset);
+  frame.notes_offset = static_cast<uint>(picture.memory.notes_offset);
   frame.tile_step = tile_step(picture.bands);
-  frame.parallel = plan.parallel;
   frame.light_count = static_cast<uint>(plan.lights.size());
   frame.has_point_lights =
       std::any_of(plan.lights.begin(), plan.lights.end(), [](const EyeLight& l) { return l.kind == LightKind::point; });
@@ -141,13 +132,13 @@ float distance_of(const Draw& draw, const StoredMesh& mesh, bool parallel) {
   return std::isnan(distance) ? 0.0f : distance;
 }
 
-// Numbers the positions of all blocks, near draws first.
-void order_by_distance(std::vector<std::pair<float, uint>>& order, std::vector<layout::DrawConstants>& draws) {
-  std::sort(order.begin(), order.end());
-  uint position = 0;
-  for (const auto& [distance, draw] : order) {
-    draws[draw].first_position = position;
-    position += draws[draw].block_count;
+// Numbers all primitive groups in the order of binning, near draws first.
+void order_by_distance(std::vector<std::pair<float, uint>>& nearest_first, std::vector<layout::DrawConstants>& draws) {
+  std::sort(nearest_first.begin(), nearest_first.end());
+  uint order = 0;
+  for (const auto& [distance, draw] : nearest_first) {
+    draws[draw].first_in_order = order;
+    order += draws[draw].primitive_group_count;
   }
 }
 
@@ -176,7 +167,7 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
       mesh = &meshes.stored(*draw.mesh);
       drawn = draw.mesh;
     }
-    distances.emplace_back(distance_of(draw, *mesh, plan.parallel), static_cast<uint>(tables.draws.size()));
+    distances.emplace_back(distance_of(draw, *mesh, plan.camera.parallel), static_cast<uint>(tables.draws.size()));
     const uint positions = draw.displaced ? meshes.displaced(draw.object) : mesh->positions;
     tables.draws.push_back(make_draw_constants(draw, *mesh, positions, tables));
     tables.displaced.push_back(draw.displaced ? draw.displaced->hash : FrameTables::PositionsHash{});
@@ -230,24 +221,25 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const Dev
   tables.frame.only_faces = tables.only_faces;
   if (!tables.draws.empty()) {
     const layout::DrawConstants& last = tables.draws.back();
-    tables.frame.group_count = last.first_group + last.group_count;
-    tables.frame.block_count = last.first_block + last.block_count;
+    tables.frame.vertex_group_count = last.first_vertex_group + last.vertex_group_count;
+    tables.frame.primitive_group_count = last.first_primitive_group + last.primitive_group_count;
   }
 }
 
-std::vector<uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws) {
-  return numbers_of_draws<&layout::DrawConstants::group_count>(draws);
+std::vector<uint> draw_of_vertex_groups(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::vertex_group_count>(draws);
 }
 
-std::vector<uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws) {
-  return numbers_of_draws<&layout::DrawConstants::block_count>(draws);
+std::vector<uint> draw_of_primitive_groups(const std::vector<layout::DrawConstants>& draws) {
+  return numbers_of_draws<&layout::DrawConstants::primitive_group_count>(draws);
 }
 
-std::vector<uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws) {
+std::vector<uint> draw_in_order(const std::vector<layout::DrawConstants>& draws) {
   std::vector<uint> numbers;
-  if (!draws.empty()) numbers.resize(draws.back().first_block + draws.back().block_count);
+  if (!draws.empty()) numbers.resize(draws.back().first_primitive_group + draws.back().primitive_group_count);
   for (std::size_t draw = 0; draw < draws.size(); ++draw)
-    std::fill_n(numbers.begin() + draws[draw].first_position, draws[draw].block_count, static_cast<uint>(draw));
+    std::fill_n(numbers.begin() + draws[draw].first_in_order, draws[draw].primitive_group_count,
+                static_cast<uint>(draw));
   return numbers;
 }
 

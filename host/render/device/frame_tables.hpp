@@ -1,5 +1,5 @@
 // The tables that the kernels walk through for one plan: draws, active targets, lights, and which draw each vertex
-// group and primitive block belongs to.
+// group and primitive group belongs to.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct FrameTables {
   std::vector<layout::LightConstants> lights;
   using PositionsHash = std::array<std::uint64_t, 2>;
   std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
-  layout::FrameConstants frame{};        // without what depends on pools and chunks, which the renderer fills in
+  layout::FrameConstants frame{};        // without what depends on pools, chunks and where tables are
   bool any_flat = false, any_smooth = false, any_colors = false;
   bool only_faces = true;  // every draw is flat and without vertex colours
 };
@@ -38,10 +38,10 @@ struct FrameTables {
 void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const DevicePicture& picture,
                        FrameTables& tables);
 
-// For each vertex group and each primitive block of the draws, which follow each other, the draw it belongs to.
-std::vector<layout::uint> draw_of_groups(const std::vector<layout::DrawConstants>& draws);
-std::vector<layout::uint> draw_of_blocks(const std::vector<layout::DrawConstants>& draws);
-// For each position the draw whose block is binned there.
-std::vector<layout::uint> draw_of_positions(const std::vector<layout::DrawConstants>& draws);
+// For each vertex group and each primitive group of the draws, which follow each other, the draw it belongs to.
+std::vector<layout::uint> draw_of_vertex_groups(const std::vector<layout::DrawConstants>& draws);
+std::vector<layout::uint> draw_of_primitive_groups(const std::vector<layout::DrawConstants>& draws);
+// For each place in the order of binning the draw whose primitive group is binned there.
+std::vector<layout::uint> draw_in_order(const std::vector<layout::DrawConstants>& draws);
 
 }  // namespace morphcl

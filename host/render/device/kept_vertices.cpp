@@ -25,50 +25,50 @@ bool same_tables(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool is_precise(const layout::DrawConstants& draw) { return (draw.flags & (DRAW_PIVOT | DRAW_TWO_FLOAT)) != 0; }
 
+bool same_view(const FrameTables& now, const FrameTables* before) {
+  return before && same_words(now.frame, before->frame);
+}
+
+bool same_draw(const FrameTables& now, const FrameTables& before, std::size_t index) {
+  if (index >= before.draws.size()) return false;
+  layout::DrawConstants draw = now.draws[index];
+  const layout::DrawConstants& old = before.draws[index];
+  const auto targets = now.targets.begin() + draw.first_target, old_targets = before.targets.begin() + old.first_target;
+  if (is_precise(draw) && is_precise(old) && !same_words(now.precise[draw.precise], before.precise[old.precise]))
+    return false;
+  // Where the tables have them is another matter.
+  draw.first_target = old.first_target;
+  draw.first_in_order = old.first_in_order;
+  draw.precise = old.precise;
+  return same_words(draw, old) && now.displaced[index] == before.displaced[index] &&
+         std::equal(targets, targets + draw.target_count, old_targets, same_words<layout::TargetConstants>);
+}
+
 }  // namespace
 
-bool KeptVertices::same_view(const FrameTables& tables) const {
-  return known_ && same_words(tables.frame, drawn_.frame);
-}
-
-bool KeptVertices::same_draw(const FrameTables& tables, std::size_t draw) const {
-  if (draw >= drawn_.draws.size()) return false;
-  layout::DrawConstants now = tables.draws[draw];
-  const layout::DrawConstants& before = drawn_.draws[draw];
-  const auto targets = tables.targets.begin() + now.first_target;
-  const auto targets_before = drawn_.targets.begin() + before.first_target;
-  now.first_target = before.first_target;
-  now.first_position = before.first_position;
-  if (is_precise(now) && is_precise(before) && !same_words(tables.precise[now.precise], drawn_.precise[before.precise]))
-    return false;
-  now.precise = before.precise;
-  return same_words(now, before) && tables.displaced[draw] == drawn_.displaced[draw] &&
-         std::equal(targets, targets + now.target_count, targets_before, same_words<layout::TargetConstants>);
-}
-
-std::vector<uint> KeptVertices::changed_chunks(const FrameTables& tables) const {
-  const uint chunks = (tables.frame.group_count + layout::groups_per_chunk - 1) / layout::groups_per_chunk;
+std::vector<uint> changed_vertex_chunks(const FrameTables& now, const FrameTables* before) {
+  constexpr uint in_chunk = layout::vertex_groups_per_chunk;
   std::vector<uint> changed;
-  if (!same_view(tables)) {
-    changed.resize(chunks);
+  if (!same_view(now, before)) {
+    changed.resize((now.frame.vertex_group_count + in_chunk - 1) / in_chunk);
     std::iota(changed.begin(), changed.end(), 0u);
     return changed;
   }
-  for (std::size_t draw = 0; draw < tables.draws.size(); ++draw) {
-    const layout::DrawConstants& constants = tables.draws[draw];
-    if (constants.group_count == 0 || same_draw(tables, draw)) continue;
-    const uint first = constants.first_group / layout::groups_per_chunk;
-    const uint last = (constants.first_group + constants.group_count - 1) / layout::groups_per_chunk;
+  for (std::size_t i = 0; i < now.draws.size(); ++i) {
+    const layout::DrawConstants& draw = now.draws[i];
+    if (draw.vertex_group_count == 0 || same_draw(now, *before, i)) continue;
+    const uint first = draw.first_vertex_group / in_chunk;
+    const uint last = (draw.first_vertex_group + draw.vertex_group_count - 1) / in_chunk;
     for (uint chunk = changed.empty() ? first : std::max(first, changed.back() + 1); chunk <= last; ++chunk)
       changed.push_back(chunk);
   }
   return changed;
 }
 
-bool KeptVertices::faces_changed(const FrameTables& tables) const {
-  if (!same_view(tables) || !same_tables(tables.lights, drawn_.lights)) return true;
-  for (std::size_t draw = 0; draw < tables.draws.size(); ++draw)
-    if (!same_draw(tables, draw)) return true;
+bool faces_changed(const FrameTables& now, const FrameTables* before) {
+  if (!same_view(now, before) || !same_tables(now.lights, before->lights)) return true;
+  for (std::size_t i = 0; i < now.draws.size(); ++i)
+    if (!same_draw(now, *before, i)) return true;
   return false;
 }
 

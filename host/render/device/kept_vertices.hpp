@@ -1,38 +1,19 @@
-// Which of the vertices that are on the device from the frame drawn before are those of this frame too.
+// Which of the vertices and faces that are on the device from the frame drawn before are those of this frame too.
 #pragma once
 
-#include <utility>
+#include <vector>
 
 #include "host/render/device/frame_tables.hpp"
 
 namespace morphcl {
 
-class KeptVertices {
- public:
-  // Chunks (of layout::groups_per_chunk vertex groups) in which some draw's vertices have to be projected again: its
-  // matrices, targets, attributes, place among the records or the picture's grid are not what they were.
-  std::vector<layout::uint> changed_chunks(const FrameTables& tables) const;
-  // Whether some face's light may differ.
-  bool faces_changed(const FrameTables& tables) const;
+// `before`: the tables that vertices and faces on the device were made from; null when none is known.
 
-  // Takes the tables of the frame that was drawn and leaves older ones, whose memory can be used again.
-  void remember(FrameTables& tables) {
-    std::swap(drawn_, tables);
-    known_ = true;
-  }
-  void forget() { known_ = false; }
-  // Also of the draws, whose meshes are stored elsewhere now.
-  void forget_meshes() {
-    known_ = false;
-    drawn_.origin = {};
-  }
+// Chunks (of layout::vertex_groups_per_chunk vertex groups) in which some draw's vertices have to be projected again:
+// its matrices, targets, attributes, place among the records or the picture's grid are not what they were.
+std::vector<layout::uint> changed_vertex_chunks(const FrameTables& now, const FrameTables* before);
 
- private:
-  bool same_view(const FrameTables& tables) const;
-  bool same_draw(const FrameTables& tables, std::size_t draw) const;
-
-  FrameTables drawn_;
-  bool known_ = false;
-};
+// Whether some face's light may differ.
+bool faces_changed(const FrameTables& now, const FrameTables* before);
 
 }  // namespace morphcl

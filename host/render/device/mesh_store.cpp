@@ -51,7 +51,7 @@ StoredMesh::Primitives place_primitives(std::size_t count, Allocation& indices) 
   StoredMesh::Primitives placed;
   placed.count = static_cast<layout::uint>(count);
   placed.pitch = static_cast<layout::uint>(padded(count));
-  placed.blocks = placed.pitch / layout::lanes;
+  placed.groups = placed.pitch / layout::lanes;
   placed.indices = indices.take(3 * padded(count));
   return placed;
 }
@@ -180,10 +180,10 @@ void MeshStore::upload() {
   }
   data.check("vertices", limit);
   indices.check("triangles", limit);
-  data_.ensure(data.size() * sizeof(float));
-  indices_.ensure(indices.size() * sizeof(layout::uint));
-  const auto mapped_data = data_.map<float>(session_->queue(), std::max<std::size_t>(data.size(), 1));
-  const auto mapped_indices = indices_.map<layout::uint>(session_->queue(), std::max<std::size_t>(indices.size(), 1));
+  data_.ensure(data.size());
+  indices_.ensure(indices.size());
+  const auto mapped_data = data_.map(session_->queue(), std::max<std::size_t>(data.size(), 1));
+  const auto mapped_indices = indices_.map(session_->queue(), std::max<std::size_t>(indices.size(), 1));
   for (const Mesh* mesh : order_) {
     const StoredMesh& placed = stored_.at(mesh);
     write(*mesh, placed, mapped_data.data());

@@ -1,13 +1,13 @@
 // Meshes in device memory: every attribute as planes of floats padded to whole vertex groups, indices as planes of
-// uints padded to whole blocks. A mesh is uploaded when a plan first draws it and stays until a plan of another planner
-// comes: only plans of one planner promise that a mesh at the same address is the same mesh.
+// uints padded to whole primitive groups. A mesh is uploaded when a plan first draws it and stays until a plan of
+// another planner comes: only plans of one planner promise that a mesh at the same address is the same mesh.
 #pragma once
 
 #include <unordered_map>
 #include <vector>
 
 #include "host/device/session.hpp"
-#include "host/device/shared_buffer.hpp"
+#include "host/render/device/buffers.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 
@@ -25,7 +25,7 @@ struct StoredMesh {
   std::vector<Target> targets;
   // Triangles and, if a draw asked for them, the edges that wireframe shows.
   struct Primitives {
-    layout::uint count = 0, blocks = 0;
+    layout::uint count = 0, groups = 0;
     layout::uint indices = layout::no_id, pitch = 0;
   };
   Primitives triangles, edges;
@@ -43,8 +43,8 @@ class MeshStore {
   const StoredMesh& stored(const Mesh& mesh) const { return stored_.at(&mesh); }
   // Where the plan's displaced positions of an object are, as floats in the mesh data.
   layout::uint displaced(std::uint32_t object) const { return displaced_.at(object).positions; }
-  const cl::Buffer& mesh_data() const { return data_.buffer(); }
-  const cl::Buffer& indices() const { return indices_.buffer(); }
+  const DeviceBuffer<buffers::MeshData>& mesh_data() const { return data_; }
+  const DeviceBuffer<buffers::Indices>& indices() const { return indices_; }
 
  private:
   void upload();
@@ -63,7 +63,8 @@ class MeshStore {
   };
   std::unordered_map<std::uint32_t, Displaced> displaced_;  // by object
   std::vector<float> planes_;                               // room for an object's positions
-  SharedBuffer data_, indices_;
+  DeviceBuffer<buffers::MeshData> data_;
+  DeviceBuffer<buffers::Indices> indices_;
 };
 
 }  // namespace morphcl

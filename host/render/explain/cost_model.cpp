@@ -32,7 +32,7 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
   costs.clipping = ms * model.clipped_vertex * work.vertices;
   costs.divide = ms * model.divided_vertex * work.vertices;
   costs.depth_test = ms * model.depth_test * covered;
-  costs.depth_format = plan.depth_buffer.is_forward() ? ms * model.forward_pixel * covered : 0;
+  costs.depth_format = is_forward(plan.depth_format) ? ms * model.forward_pixel * covered : 0;
   costs.precise_vertices =
       ms * (model.pivot_vertex * work.pivot_vertices + model.two_float_vertex * work.two_float_vertices);
 

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <limits>
 #include <set>
 
+#include "host/render/frame/bin_pools.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
@@ -73,19 +74,22 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   if (totals.tinted) add(need.vertices, totals.vertices * record, "vertex colours");
   if (totals.flat) add(need.vertices, totals.primitives * record, "light of the faces");
 
-  // The bins of the device renderer as it guesses them: up to 64 chunks of primitives, each with lists a tile.
-  const std::size_t tiles = padded(static_cast<std::size_t>(plan.width), layout::tile) / layout::tile *
-                            (padded(static_cast<std::size_t>(plan.height), layout::tile) / layout::tile);
-  const std::size_t chunks = std::clamp<std::size_t>(totals.primitives / layout::lanes / 64, 1, 64);
-  const std::size_t in_chunk = totals.primitives / chunks;
-  constexpr std::size_t fragment_page = layout::page * (8 + 2) + 4, entry_page = layout::page * 4 + 4;
-  add(need.bins, chunks * (256 + in_chunk / 32) * fragment_page, "fragments of small triangles");
-  add(need.bins, chunks * (64 + tiles) * entry_page, "lists of large triangles");
-  add(need.bins, chunks * (64 + in_chunk / 8) * sizeof(layout::LargeTriangle), "large triangles");
-  add(need.bins, chunks * tiles * 2 * sizeof(layout::uint), "heads of the tiles' lists");
-
-  const std::size_t samples = tiles * layout::tile * layout::tile;
-  // Not one of the buffers that may be too large: a device gets the picture in as many pieces as it wants.
+  // Its bins as the device renderer lays them out before the first frame.
+  layout::FrameConstants constants{};
+  constants.tiles_x = static_cast<int>(padded(static_cast<std::size_t>(plan.width), layout::tile) / layout::tile);
+  constants.tiles_y = static_cast<int>(padded(static_cast<std::size_t>(plan.height), layout::tile) / layout::tile);
+  constants.vertex_group_count = static_cast<layout::uint>(totals.vertices / layout::lanes);
+  constants.primitive_group_count = static_cast<layout::uint>(totals.primitives / layout::lanes);
+  constants.clips = plan.clips;
+  BinPools pools;
+  const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
+  add(need.bins, sizes.fragment_keys, "fragments of small triangles");
+  add(need.bins, sizes.large, "large triangles");
+  // Neither these nor the picture is a buffer that may be too large: where they do not fit, a device gets the lists of
+  // fewer chunks, and the picture in as many pieces as it wants.
+  need.bins += sizes.bins;
+  const std::size_t samples = static_cast<std::size_t>(constants.tiles_x) * static_cast<std::size_t>(constants.tiles_y) *
+                              layout::tile * layout::tile;
   need.pixels = samples * ((plan.color ? 8u : 0u) + (plan.depth ? 4u : 0u));
   return need;
 }

@@ -164,15 +164,15 @@ class Notes {
                                                    : std::string("not judged") + kept,
          costs_.clipping);
     note("perspective divide", plan_.divides,
-         plan_.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "") : "perspective",
+         plan_.camera.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "") : "perspective",
          costs_.divide);
     note("depth test", plan_.tests_depth,
          plan_.tests_depth           ? "triangles may lie behind others"
          : has_convex_outline(plan_) ? "no pixel is covered twice: front faces within a convex outline"
                                      : "no pixel is covered twice: front faces within a star-shaped outline",
          costs_.depth_test);
-    if (plan_.depth_buffer.is_forward())
-      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_buffer.format)),
+    if (is_forward(plan_.depth_format))
+      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_format)),
            costs_.depth_format);
   }
 

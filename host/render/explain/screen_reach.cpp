@@ -28,7 +28,7 @@ Rectangle rectangle_of(const Box& box, const Draw& draw, const FramePlan& plan) 
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p = box.corner(corner) - pivot;
     const double w = row_times_point(draw.object_to_clip[3], p);
-    if (!(w >= plan.near_w * (1 + 1e-6) || plan.parallel)) return {0, width, 0, height};
+    if (!(w >= plan.camera.near_w * (1 + 1e-6) || plan.camera.parallel)) return {0, width, 0, height};
     const double x = (row_times_point(draw.object_to_clip[0], p) / w + 1) * 0.5 * width;
     const double y = (1 - row_times_point(draw.object_to_clip[1], p) / w) * 0.5 * height;
     if (!std::isfinite(x) || !std::isfinite(y)) return {0, width, 0, height};

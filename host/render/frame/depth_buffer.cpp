@@ -6,37 +6,37 @@
 
 #include "host/error.hpp"
 #include "host/math/rounding.hpp"
+#include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
 
 namespace {
 
-constexpr double farthest_parallel_plane = 1e30;  // clip coordinates are below 1e33
-constexpr double least_relative_range = 0x1p-20;
+constexpr double max_parallel_distance = layout::max_clip_coordinate * 1e-3;
+constexpr double min_relative_range = 0x1p-20;
 
-std::array<float, 2> two_floats(double value) {
-  const float high = to_fp32(value);
-  return {high, static_cast<float>(value - high)};
+void set_two_floats(double value, float (&rounded)[2]) {
+  rounded[0] = to_fp32(value);
+  rounded[1] = static_cast<float>(value - rounded[0]);
 }
 
 }  // namespace
 
-DepthBuffer make_depth_buffer(DepthFormat format, float near, double far, bool parallel) {
-  DepthBuffer buffer;
-  buffer.format = format;
-  if (!buffer.is_forward()) return buffer;
+void set_depth_buffer(DepthFormat format, double far, CameraConstants& camera) {
+  if (!is_forward(format)) return;
+  const bool parallel = camera.parallel != 0;
+  const float near = parallel ? -camera.near_depth : camera.near;
   const double range = far - near, size = std::max(std::abs(double{near}), parallel ? std::abs(far) : 0.0);
-  if (!(range > least_relative_range * size) || (parallel && size > farthest_parallel_plane))
+  if (!(range > min_relative_range * size) || (parallel && size > max_parallel_distance))
     throw Error(ErrorKind::usage, "",
                 fmt::format("near = {} and far = {} are too close together, or too far away, for a {} depth buffer; "
                             "reversed_float takes them",
                             near, far, name_of(format)));
   const double far_depth = parallel ? -double{to_fp32(far)} : near / far;
   const double span = (parallel ? -double{near} : 1.0) - far_depth;
-  buffer.far = two_floats(far_depth);
-  buffer.scale = two_floats(1 / span);
-  buffer.span = to_fp32(span);
-  return buffer;
+  set_two_floats(far_depth, camera.depth_far);
+  set_two_floats(1 / span, camera.depth_scale);
+  camera.depth_span = to_fp32(span);
 }
 
 }  // namespace morphcl

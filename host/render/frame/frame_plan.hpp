@@ -12,6 +12,7 @@
 
 #include "anim/timeline.hpp"
 #include "host/render/frame/active_targets.hpp"
+#include "host/render/frame/camera_constants.hpp"
 #include "host/render/frame/depth_buffer.hpp"
 #include "host/render/frame/displaced_positions.hpp"
 #include "host/render/frame/vertex_accuracy.hpp"
@@ -54,24 +55,13 @@ struct FramePlan {
   std::uint64_t draws_version = 0;
   std::vector<EyeLight> lights;
   std::array<float, 3> ambient{};
-  bool parallel = false;              // parallel projectors: w is 1 everywhere
-  std::array<float, 3> near_plane{};  // distance in front of it: [0] depth row + [1] w row + [2]; 0 or more is drawn
-  float near_w = 1;                   // w on the near plane
-  float near_depth = 0;               // depth on the near plane; larger depths are nearer
-  float far_depth = 0;                // depth on the far plane: smaller ones are not drawn
-  float near = 0;                     // perspective: Z = near / depth; parallel: Z = -depth
-  DepthBuffer depth_buffer;           // by which renderers tell what is nearest
+  CameraConstants camera{};
+  DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer by which renderers tell what is nearest
   bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
   bool divides = true;                // false: w is 1 at every vertex, nothing is divided by it
   bool tests_depth = true;            // false: no pixel centre is covered twice, what comes is not compared
   bool keeps_vertices = true;         // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;      // tiles that were and stay background are not written again
-  // Eye position of a pixel for point lights, from its centre (x, y) and its distance d along the axis:
-  // perspective: (x * ray[0] + ray[1]) * d, parallel: x * ray[0] + ray[1] + d * slant[0]; so on for y with ray[2],
-  // ray[3] and slant[1]. The slant is how far a parallel projector leads sideways per unit of distance: 0 unless
-  // oblique.
-  std::array<float, 4> ray{};
-  std::array<float, 2> slant{};
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
 };
 

@@ -1,31 +1,59 @@
-// kernels/layout.h for the host: the structs that buffers hold, with their sizes checked.
+// kernels/layout.h for the host: the structs that buffers hold, with their sizes checked, and the constants of the
+// raster design. Nobody else states them.
 #pragma once
 
 #include <cstdint>
 
+#include "host/math/depth_format.hpp"
+#include "host/render/frame/camera_constants.hpp"
+
 namespace morphcl::layout {
 
 using uint = std::uint32_t;
+using ulong = std::uint64_t;
 
 #include "kernels/layout.h"
 
-// Every member is 4 bytes wide, so device and host agree when the totals do.
+// The records of vertices, attributes and colours.
+struct Int4 {
+  std::int32_t x, y, z, w;
+};
+
+// The host knows the default's layout of this struct alone; the others have its size.
+static_assert(sizeof(LargeTriangle) == 64);
+// Members are 4 bytes wide, or 8 and in front, so device and host agree when the totals do.
 static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 15));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
-static_assert(sizeof(FrameConstants) == 4 * 59);
+static_assert(sizeof(ClippedPrimitive) == 104);
+static_assert(sizeof(BinsOffsets) == 64);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 45);
 static_assert(sizeof(ChunkStatus) == 16);
-static_assert(sizeof(LargeTriangle) == 64);
+static_assert(sizeof(BinsHeader) == 64);
+
+static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FLOAT &&
+              static_cast<int>(DepthFormat::forward_float) == DEPTH_FLOAT &&
+              static_cast<int>(DepthFormat::fixed16) == DEPTH_FIXED_16 &&
+              static_cast<int>(DepthFormat::fixed24) == DEPTH_FIXED_24 &&
+              static_cast<int>(DepthFormat::fixed32) == DEPTH_FIXED_32);
 
 inline constexpr int lanes = LANES;
 inline constexpr int tile = TILE;
 inline constexpr int tile_block = TILE_BLOCK;
 inline constexpr int subpixel_bits = SUBPIXEL_BITS;
+inline constexpr int subpixels = SUBPIXELS;
+inline constexpr int half_pixel = HALF_PIXEL;
 inline constexpr int small_pixels = SMALL_PIXELS;
 inline constexpr int page = PAGE;
 inline constexpr int clip_vertices = CLIP_VERTICES;
-inline constexpr int groups_per_chunk = GROUPS_PER_CHUNK;
+inline constexpr int vertex_groups_per_chunk = VERTEX_GROUPS_PER_CHUNK;
 inline constexpr uint no_id = NO_ID;
+inline constexpr float max_subpixel = MAX_SUBPIXEL;
+inline constexpr float max_guard = MAX_GUARD;
+inline constexpr float max_clip_coordinate = MAX_CLIP_COORDINATE;
+inline constexpr float max_normalized_depth = MAX_NORMALIZED_DEPTH;
+inline constexpr float min_normal_square = MIN_NORMAL_SQUARE;
+inline constexpr float background_depth = BACKGROUND_DEPTH;
 
 }  // namespace morphcl::layout

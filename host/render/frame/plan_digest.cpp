@@ -38,19 +38,14 @@ class Digester {
 };
 
 // Bytes in a row, in which nothing is left between the fields.
-struct CameraKey {
+struct FrameKey {
   std::int32_t width, height;
-  std::uint32_t color, depth, parallel;
-  std::array<float, 3> near_plane;
-  float near_w, near_depth, far_depth, near;
-  std::array<float, 4> ray;
-  std::array<float, 2> slant;
-  std::uint32_t depth_format;
-  std::array<float, 2> depth_far, depth_scale;
+  std::uint32_t color, depth, depth_format;
+  CameraConstants camera;
   std::array<float, 3> ambient;
   std::uint32_t light_count, draw_count;
 };
-static_assert(sizeof(CameraKey) == 28 * 4);
+static_assert(sizeof(FrameKey) == 10 * 4 + sizeof(CameraConstants));
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -74,10 +69,8 @@ static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 46 * 4);
 PlanDigest pixel_digest(const FramePlan& plan) {
   const auto count = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
   Digester digester;
-  digester.add(CameraKey{plan.width, plan.height, plan.color, plan.depth, plan.parallel, plan.near_plane, plan.near_w,
-                         plan.near_depth, plan.far_depth, plan.near, plan.ray, plan.slant,
-                         static_cast<std::uint32_t>(plan.depth_buffer.format), plan.depth_buffer.far,
-                         plan.depth_buffer.scale, plan.ambient, count(plan.lights.size()), count(plan.draws.size())});
+  digester.add(FrameKey{plan.width, plan.height, plan.color, plan.depth, static_cast<std::uint32_t>(plan.depth_format),
+                        plan.camera, plan.ambient, count(plan.lights.size()), count(plan.draws.size())});
   for (const EyeLight& light : plan.lights)
     digester.add(LightKey{static_cast<std::uint32_t>(light.kind), light.falloff, light.vector, light.color});
   const VertexAccuracy plain;

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include "host/error.hpp"
+#include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
 
 namespace {
+
+// What frame buffers and kernels both state.
+static_assert(FrameBuffer::tile_side == layout::tile && FrameBuffer::block_side == layout::tile_block);
+static_assert(background_depth == layout::background_depth);
 
 std::string shape(int width, int height, bool color, bool depth) {
   const char* const channels = color ? depth ? "RGBA and Z" : "RGBA alone" : depth ? "Z alone" : "no channels";

@@ -49,7 +49,7 @@ int outcode(const ClipPoint& p, const FramePlan& plan, const RasterGrid& grid) {
   if (!(p.y <= limit_y)) code |= OUT_TOP;
   if (!(p.y >= -limit_y)) code |= OUT_BOTTOM;
   for (const float v : {p.x, p.y, p.z, p.w})
-    if (!(std::fabs(v) <= LARGEST_CLIP)) code |= OUT_INVALID;
+    if (!(std::fabs(v) <= MAX_CLIP_COORDINATE)) code |= OUT_INVALID;
   return code;
 }
 
@@ -89,7 +89,7 @@ float row_times_vector(const std::array<float, 3>& row, const glm::vec3& v) {
 }
 
 float near_distance(float z, float w, const FramePlan& plan) {
-  return std::fma(plan.near_plane[0], z, std::fma(plan.near_plane[1], w, plan.near_plane[2]));
+  return std::fma(plan.camera.near_plane[0], z, std::fma(plan.camera.near_plane[1], w, plan.camera.near_plane[2]));
 }
 
 ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid) {
@@ -100,7 +100,7 @@ ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid) {
 
 ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid, const FramePlan& plan) {
   ScreenVertex vertex = to_screen(p, grid);
-  if (plan.depth_buffer.is_forward()) vertex.depth = plan.parallel ? -p.z : p.w;
+  if (is_forward(plan.depth_format)) vertex.depth = plan.camera.parallel ? -p.z : p.w;
   return vertex;
 }
 

@@ -86,20 +86,16 @@ bool same_targets(const ActiveTargets& a, const ActiveTargets& b) {
 }
 
 void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FramePlan& plan) {
-  plan.parallel = volume.parallel;
-  plan.near_plane = volume.near_plane;
-  plan.near_w = volume.near_w;
-  plan.near_depth = volume.near_depth;
-  plan.far_depth = volume.far_depth;
-  plan.near = volume.near;
+  CameraConstants& camera = plan.camera;
+  camera = volume.camera;
   // x_ndc = (P00 x + P02 z + P03) / w, and z = -d: solved for the eye's x at distance d. P02 is a shift of the window
   // in perspective, the slant of the projectors in parallel projections.
   const glm::dmat4& ndc = volume.eye_to_ndc;
   const auto ray = [&](int axis, double pixel_scale, double pixel_offset, int at) {
-    const double shift = plan.parallel ? -ndc[3][axis] : ndc[2][axis];
-    plan.ray[at] = to_fp32(pixel_scale / ndc[axis][axis]);
-    plan.ray[at + 1] = to_fp32((pixel_offset + shift) / ndc[axis][axis]);
-    if (plan.parallel) plan.slant[axis] = to_fp32(ndc[2][axis] / ndc[axis][axis]);
+    const double shift = camera.parallel ? -ndc[3][axis] : ndc[2][axis];
+    camera.ray[at] = to_fp32(pixel_scale / ndc[axis][axis]);
+    camera.ray[at + 1] = to_fp32((pixel_offset + shift) / ndc[axis][axis]);
+    if (camera.parallel) camera.slant[axis] = to_fp32(ndc[2][axis] / ndc[axis][axis]);
   };
   ray(0, 2.0 / plan.width, -1.0, 0);
   ray(1, -2.0 / plan.height, 1.0, 2);
@@ -171,8 +167,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
   add_camera(volume, camera.world_to_eye, plan);
-  plan.depth_buffer = make_depth_buffer(scene.image.depth_format, volume.parallel ? -volume.near_depth : volume.near,
-                                        far_distance(camera.projection), volume.parallel);
+  plan.depth_format = scene.image.depth_format;
+  set_depth_buffer(plan.depth_format, far_distance(camera.projection), plan.camera);
   plan.ambient = to_array(timeline.ambient);
   for (std::size_t i = 0; i < timeline.lights.size(); ++i) {
     const LightState light = evaluate_light(timeline.lights[i], i, tick);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "host/render/frame/closeness.hpp"
+#include "host/render/frame/normalized_depth.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 #include "host/render/plan/screen_boundary.hpp"
 
@@ -37,16 +37,18 @@ double depth_rounding(const ScreenVertex& a, const ScreenVertex& b, const Screen
   return 16 * 0x1p-24 * (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + 64 * 256) / area));
 }
 
-// Whether no pixel of the triangle can reach the far plane. Forward depth buffers add up its corners' closeness by
-// areas that are not negative: where that is positive, the sum is.
+// Whether no pixel of the triangle can reach the far plane. Forward depth buffers add up its corners' normalized depth
+// by areas that are not negative: where that is positive, the sum is.
 bool stays_before_far_plane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                             std::int64_t area) {
-  if (plan.depth_buffer.is_forward()) {
-    const auto before_far = [&](const ScreenVertex& v) { return reference::closeness_of(v.depth, plan).high > 0.0f; };
+  if (is_forward(plan.depth_format)) {
+    const auto before_far = [&](const ScreenVertex& v) {
+      return reference::normalized_depth_of(v.depth, plan).high > 0.0f;
+    };
     return before_far(a) && before_far(b) && before_far(c);
   }
   const double lowest = std::min({a.depth, b.depth, c.depth});
-  return lowest - depth_rounding(a, b, c, static_cast<double>(area)) > plan.far_depth;
+  return lowest - depth_rounding(a, b, c, static_cast<double>(area)) > plan.camera.far_depth;
 }
 
 // The outline of the frame's only draw; nothing where the frame is no candidate, or some depth may reach the far plane.

@@ -12,37 +12,44 @@ namespace morphcl {
 
 namespace {
 
-glm::dvec4 measure_depth(const Projection& projection, ViewVolume& volume) {
+void set_near_plane(float depth_factor, float w_factor, float constant, CameraConstants& camera) {
+  camera.near_plane[0] = depth_factor;
+  camera.near_plane[1] = w_factor;
+  camera.near_plane[2] = constant;
+}
+
+// Returns the depth row of the matrix.
+glm::dvec4 measure_depth(const Projection& projection, CameraConstants& camera) {
   const double near = near_distance(projection), far = far_distance(projection);
-  if (volume.parallel) {
-    volume.near_depth = to_fp32(-near);
-    volume.far_depth = to_fp32(-far);
-    volume.near_plane = {-1.0f, 0.0f, volume.near_depth};
-    volume.near_w = 1.0f;
-    volume.near = 0.0f;
+  if (camera.parallel) {
+    camera.near_depth = to_fp32(-near);
+    camera.far_depth = to_fp32(-far);
+    set_near_plane(-1.0f, 0.0f, camera.near_depth, camera);
+    camera.near_w = 1.0f;
+    camera.near = 0.0f;
     return {0, 0, 1, 0};
   }
-  volume.near = volume.near_w = to_fp32(near);
-  if (!(volume.near_w >= 1e-30f)) throw Error(ErrorKind::bad_input, "", fmt::format("near = {} is below 1e-30", near));
-  volume.near_plane = {0.0f, 1.0f, -volume.near_w};
-  volume.near_depth = 1.0f;
-  volume.far_depth = std::isinf(far) ? 0.0f : to_fp32(near / far);
-  return {0, 0, 0, volume.near_w};
+  camera.near = camera.near_w = to_fp32(near);
+  if (!(camera.near_w >= 1e-30f)) throw Error(ErrorKind::bad_input, "", fmt::format("near = {} is below 1e-30", near));
+  set_near_plane(0.0f, 1.0f, -camera.near_w, camera);
+  camera.near_depth = 1.0f;
+  camera.far_depth = std::isinf(far) ? 0.0f : to_fp32(near / far);
+  return {0, 0, 0, camera.near_w};
 }
 
 }  // namespace
 
 ViewVolume make_view_volume(const Projection& projection, int width, int height) {
   ViewVolume volume;
-  volume.parallel = is_parallel(projection);
-  const glm::dvec4 depth_row = measure_depth(projection, volume);
+  volume.camera.parallel = is_parallel(projection);
+  const glm::dvec4 depth_row = measure_depth(projection, volume.camera);
   volume.eye_to_ndc = projection_matrix(projection, static_cast<double>(width) / height);
   volume.eye_to_clip = volume.eye_to_ndc;
   for (int column = 0; column < 4; ++column) volume.eye_to_clip[column][2] = depth_row[column];
 
   // Clip coordinates carry no constant; w is 1 in parallel projections, and in perspective the constant is -near = -z.
-  const glm::dvec4 near_plane = volume.parallel ? glm::dvec4(0, 0, -1, volume.near_depth) : glm::dvec4(0, 0, -1, 1);
-  const glm::dvec4 far_plane(0, 0, 1, -volume.far_depth);
+  const glm::dvec4 near_plane = volume.camera.parallel ? glm::dvec4(0, 0, -1, volume.camera.near_depth) : glm::dvec4(0, 0, -1, 1);
+  const glm::dvec4 far_plane(0, 0, 1, -volume.camera.far_depth);
   volume.view = {near_plane, far_plane, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
   const RasterGrid grid(width, height);
   volume.clip = {

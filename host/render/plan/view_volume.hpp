@@ -5,17 +5,15 @@
 #include <glm/glm.hpp>
 
 #include "host/math/projection.hpp"
+#include "host/render/frame/camera_constants.hpp"
 
 namespace morphcl {
 
 // Depth, perspective: reversed and without a far plane in the matrix, depth = near / w, 1 on the near plane, 0 at
-// infinity, so fp32 is dense where the distances are large. Parallel: depth = z in eye space. The fields are those of
-// FramePlan with the same names.
+// infinity, so fp32 is dense where the distances are large. Parallel: depth = z in eye space.
 struct ViewVolume {
   glm::dmat4 eye_to_ndc, eye_to_clip;  // rows of clip space: x, y, depth * w, w
-  bool parallel;
-  std::array<float, 3> near_plane;
-  float near_w, near_depth, far_depth, near;
+  CameraConstants camera{};            // but for ray and slant, which depend on the picture, and the depth buffer
   // Planes of clip space, inside where dot(plane, point) > 0.
   std::array<glm::dvec4, 6> view;  // near, far, and the picture's edges: what is outside one of them shows nowhere
   std::array<glm::dvec4, 5> clip;  // near, and the guard band: what is inside all of them is not clipped

@@ -37,8 +37,8 @@ Corner cut(const Corner& inner, const Corner& outer, float inner_distance, float
             mix(inner.clip.w, outer.clip.w)};
   for (int i = 0; i < 3; ++i) c.weight[i] = mix(inner.weight[i], outer.weight[i]);
   if (plane == near_plane) {
-    c.clip.w = frame.near_w;
-    c.clip.z = frame.near_depth * c.clip.w;
+    c.clip.w = frame.camera.near_w;
+    c.clip.z = frame.camera.near_depth * c.clip.w;
   }
   if (plane == left_plane) c.clip.x = -grid.guard_x * c.clip.w;
   if (plane == right_plane) c.clip.x = grid.guard_x * c.clip.w;

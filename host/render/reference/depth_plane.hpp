@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "host/render/frame/closeness.hpp"
+#include "host/render/frame/kernel_layout.hpp"
+#include "host/render/frame/normalized_depth.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
@@ -16,7 +17,7 @@ struct StoredDepth {
   bool in_range = true;   // of forward buffers: not beyond the far plane. The reversed one compares with its background
 };
 
-inline int pixel_centre(int pixel) { return pixel * 256 + 128; }
+inline int pixel_centre(int pixel) { return pixel * layout::subpixels + layout::half_pixel; }
 
 // Triangles a b c whose doubled area is positive.
 
@@ -33,19 +34,19 @@ class ReversedPlane {
 };
 
 // Forward buffers: by the exact areas opposite to the corners.
-class ClosenessPlane {
+class NormalizedDepthPlane {
  public:
-  ClosenessPlane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                 std::int64_t area);
+  NormalizedDepthPlane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                       std::int64_t area);
   StoredDepth at(int x, int y) const;
 
  private:
-  const DepthBuffer& buffer_;
+  const FramePlan& plan_;
   ScreenVertex a_;
   int d1x_, d1y_, d2x_, d2y_;
   std::int64_t area_;
-  TwoFloat over_area_[3];  // closeness of the corners
-  std::uint32_t least_, greatest_;
+  TwoFloat over_area_[3];  // normalized depth of the corners
+  std::uint32_t min_, max_;
   bool in_range_;
 };
 

@@ -18,7 +18,7 @@ float difference_of_products(float a, float b, float c, float d) {
   return std::fma(a, b, -product) + std::fma(-c, d, product);
 }
 
-glm::vec3 irradiance(const FramePlan& plan, const glm::vec3& normal, const glm::vec3& position) {
+glm::vec3 lambert(const FramePlan& plan, const glm::vec3& normal, const glm::vec3& position) {
   const float length = std::sqrt(dot_product(normal, normal));
   glm::vec3 sum(plan.ambient[0], plan.ambient[1], plan.ambient[2]);
   for (const EyeLight& light : plan.lights) {
@@ -50,9 +50,9 @@ glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a
   const glm::vec3 middle = a + (u + v) * third;
   for (int row = 0; row < 3; ++row) centre[row] = row_times_point(draw.object_to_eye[row], middle);
   // Along the line of sight through the face, away from the viewer.
-  const glm::vec3 away = plan.parallel ? glm::vec3(plan.slant[0], plan.slant[1], -1.0f) : centre;
+  const glm::vec3 away = plan.camera.parallel ? glm::vec3(plan.camera.slant[0], plan.camera.slant[1], -1.0f) : centre;
   if (draw.double_sided && dot_product(normal, away) > 0.0f) normal = -normal;
-  return irradiance(plan, normal, centre);
+  return lambert(plan, normal, centre);
 }
 
 }  // namespace morphcl::reference

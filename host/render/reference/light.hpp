@@ -10,7 +10,7 @@ namespace morphcl::reference {
 float difference_of_products(float a, float b, float c, float d);  // a b - c d
 
 // Ambient light plus every light's share; normal of any length, zero: ambient only.
-glm::vec3 irradiance(const FramePlan& plan, const glm::vec3& normal, const glm::vec3& eye_position);
+glm::vec3 lambert(const FramePlan& plan, const glm::vec3& normal, const glm::vec3& eye_position);
 
 // The light of a flat triangle from its morphed corners in object space.
 glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a, const glm::vec3& b,

@@ -24,9 +24,9 @@ Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], int 
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     w.vertex[i] = difference_of_products(dx[j], dy[k], dx[k], dy[j]);
-    if (!plan.parallel) w.vertex[i] *= corner[i].inverse_w;
+    if (!plan.camera.parallel) w.vertex[i] *= corner[i].inverse_w;
   }
-  if (plan.depth_buffer.is_forward())  // its corners have their distance in place of depth
+  if (is_forward(plan.depth_format))  // its corners have their distance in place of depth
     w.distance =
         std::fma(w.vertex[0], corner[0].depth, std::fma(w.vertex[1], corner[1].depth, w.vertex[2] * corner[2].depth)) /
         w.total();
@@ -50,15 +50,15 @@ glm::vec3 interpolate(const Weights& w, const Vector& a, const Vector& b, const 
 }
 
 glm::vec3 eye_position(const FramePlan& plan, int x, int y, float distance) {
-  const float across = std::fma(static_cast<float>(x) + 0.5f, plan.ray[0], plan.ray[1]);
-  const float up = std::fma(static_cast<float>(y) + 0.5f, plan.ray[2], plan.ray[3]);
-  if (!plan.parallel) return {across * distance, up * distance, -distance};
-  return {std::fma(distance, plan.slant[0], across), std::fma(distance, plan.slant[1], up), -distance};
+  const float across = std::fma(static_cast<float>(x) + 0.5f, plan.camera.ray[0], plan.camera.ray[1]);
+  const float up = std::fma(static_cast<float>(y) + 0.5f, plan.camera.ray[2], plan.camera.ray[3]);
+  if (!plan.camera.parallel) return {across * distance, up * distance, -distance};
+  return {std::fma(distance, plan.camera.slant[0], across), std::fma(distance, plan.camera.slant[1], up), -distance};
 }
 
 }  // namespace
 
-float eye_distance(const FramePlan& plan, float depth) { return plan.parallel ? -depth : plan.near / depth; }
+float eye_distance(const FramePlan& plan, float depth) { return plan.camera.parallel ? -depth : plan.camera.near / depth; }
 
 glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
                 int x, int y) {
@@ -86,8 +86,8 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
     // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
     if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
     // A coarse depth buffer decides what is seen, not how it is lit.
-    const float distance = plan.depth_buffer.is_forward() ? w.distance : eye_distance(plan, sample.depth);
-    color *= irradiance(plan, normal, eye_position(plan, x, y, distance));
+    const float distance = is_forward(plan.depth_format) ? w.distance : eye_distance(plan, sample.depth);
+    color *= lambert(plan, normal, eye_position(plan, x, y, distance));
   }
   if (draw.vertex_colors) {
     const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);

@@ -37,8 +37,8 @@ class Rasterizer {
         for (int x = std::max(first_x, 0); x <= last_x; ++x)
           if (inside(a, b, x, y) && inside(b, c, x, y) && inside(c, a, x, y)) cover(x, y, depth_at(x, y), identity);
     };
-    if (plan_.depth_buffer.is_forward()) {
-      const ClosenessPlane plane(plan_, a, b, c, area);
+    if (is_forward(plan_.depth_format)) {
+      const NormalizedDepthPlane plane(plan_, a, b, c, area);
       fill([&](int x, int y) { return plane.at(x, y); });
       return;
     }
@@ -98,7 +98,7 @@ class Rasterizer {
   void cover(int x, int y, const StoredDepth& stored, const Sample& identity) {
     if (!stored.in_range) return;
     Sample& held = samples_[static_cast<std::size_t>(y) * plan_.width + x];
-    const bool forward = plan_.depth_buffer.is_forward();
+    const bool forward = is_forward(plan_.depth_format);
     const bool nearer = forward ? stored.key > held.key : stored.depth > held.depth;
     const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
     if (nearer || (equal && identity.order < held.order)) {
@@ -118,7 +118,7 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices) {
   Visibility visible;
   visible.samples.assign(static_cast<std::size_t>(plan.width) * plan.height,
-                         {plan.far_depth, 0, no_order, 0, 0, no_piece});
+                         {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
   Rasterizer rasterizer(plan, visible.samples);
   std::uint64_t order = 0;
   for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {

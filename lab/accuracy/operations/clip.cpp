@@ -57,9 +57,10 @@ Cut shipped_cut(const End& a, const End& b, const FramePlan& plan, const RasterG
 
 Variant<float> shipped_clip() {
   FramePlan plan;
-  plan.near_plane = {0, 1, -near_w};
-  plan.near_w = near_w;
-  plan.near_depth = 1;
+  plan.camera.near_plane[1] = 1;
+  plan.camera.near_plane[2] = -near_w;
+  plan.camera.near_w = near_w;
+  plan.camera.near_depth = 1;
   return shipped(cutting("inside to outside, fma", [plan, grid = RasterGrid(2, 2)](const End& a, const End& b) {
     return shipped_cut(a, b, plan, grid);
   }));

@@ -149,10 +149,10 @@ TEST(ErrorBound, Distances) {
       const int x = static_cast<int>(i) % 160, y = static_cast<int>(i) / 160;
       const auto hit = triangle.unclipped ? judge.truth.hit(shown.object, shown.primitive, x, y) : std::nullopt;
       if (!hit) continue;
-      const double error = judge.plan.parallel ? std::abs(shown.distance - hit->distance)
+      const double error = judge.plan.camera.parallel ? std::abs(shown.distance - hit->distance)
                                                : std::abs(1 / double{shown.distance} - 1 / hit->distance);
-      const double stored = u * (judge.plan.parallel ? std::abs(hit->distance) : 2 / hit->distance);
-      const double bound = triangle.depth_bound(judge.plan.parallel) + stored;
+      const double stored = u * (judge.plan.camera.parallel ? std::abs(hit->distance) : 2 / hit->distance);
+      const double bound = triangle.depth_bound(judge.plan.camera.parallel) + stored;
       ASSERT_LE(error, bound) << "pixel " << x << ", " << y << ": distance " << shown.distance << ", exact "
                               << hit->distance;
       closest = std::max(closest, error / bound);

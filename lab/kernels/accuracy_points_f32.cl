@@ -1,17 +1,17 @@
 #pragma OPENCL FP_CONTRACT OFF
 // Ways to multiply a point by the rows of an affine matrix in binary32, for the report of errors against run times.
 //
-// In:  points: x, y, z, one array after the other, `count` each. constants: 12 floats, row after row.
+// In:  planes: x, y, z, one array after the other, `count` each. constants: 12 floats, row after row.
 // Out: results: x, y, z likewise. One work-item a point; lab/accuracy/operations/point_transform.cpp is the same
 //      arithmetic on the host.
 
 #define POINT_ARGUMENTS \
-  global const float *points, global const float *constants, global float *results, uint count
+  global const float *planes, global const float *constants, global float *results, uint count
 
 #define LOAD_POINT                      \
   const size_t i = get_global_id(0);    \
   if (i >= count) return;               \
-  const float v[3] = {points[i], points[i + count], points[i + 2 * (size_t)count]};
+  const float v[3] = {planes[i], planes[i + count], planes[i + 2 * (size_t)count]};
 
 kernel void multiply_add(POINT_ARGUMENTS) {
   LOAD_POINT

@@ -1,0 +1,26 @@
+#include "host/device/kernel_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/error.hpp"
+
+namespace morphcl {
+
+const KernelSource& kernel_source(const std::string& stage) { return kernel_source(stage, kernel_sources()); }
+
+const KernelSource& kernel_source(const std::string& stage, const std::vector<KernelSource>& sources) {
+  const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) { return s.stage == stage; });
+  if (found != sources.end()) return *found;
+  throw Error(ErrorKind::internal, "", fmt::format("no kernel program \"{}\" is embedded in this build", stage));
+}
+
+const KernelSignature& signature_of(const KernelSource& source, const std::string& kernel) {
+  const auto& kernels = source.kernels;
+  const auto found = std::find_if(kernels.begin(), kernels.end(), [&](const auto& k) { return k.name == kernel; });
+  if (found != kernels.end()) return *found;
+  throw Error(ErrorKind::internal, "", fmt::format("{} has no kernel {}", source.file, kernel));
+}
+
+}  // namespace morphcl

@@ -1,0 +1,30 @@
+// How much room the bins of a frame get, and where it is: the one place that knows.
+#pragma once
+
+#include <cstddef>
+
+#include "host/render/frame/kernel_layout.hpp"
+
+namespace morphcl {
+
+// Room of one chunk's bins, and of all clipped primitives. It starts from a guess and grows to what a frame was found
+// to need.
+struct BinPools {
+  layout::uint fragment_pages = 0, entry_pages = 0, large = 0, clipped = 256;
+
+  void grow_to(const layout::ChunkStatus& chunk);
+  void grow_to_clipped(layout::uint needed);
+};
+
+// Bytes of the buffers.
+struct BinSizes {
+  std::size_t bins, fragment_keys, large, clipped;
+};
+
+// Shares out a frame's primitives to chunks, and sets chunk_count, primitive_groups_per_chunk, capacities and offsets in
+// the constants, whose size and numbers of groups are set. Chunks are a matter of load only: enough of them for the
+// threads, each big enough to be worth its bins, but so few that `bins` is no larger than what the device allocates at
+// once. Pools that are too small for a guess at the frame grow.
+BinSizes lay_out_bins(std::size_t largest_allocation, BinPools& pools, layout::FrameConstants& constants);
+
+}  // namespace morphcl
