@@ -13,14 +13,14 @@ namespace morphcl {
 namespace {
 
 [[noreturn]] void refuse_cycle(const std::vector<int>& parents, int node) {
-  constexpr int most_named = 8;
+  constexpr int max_named = 8;
   std::string names = fmt::format("{}", node);
   int length = 1;
   for (int next = parents[node]; next != node; next = parents[next]) {
-    if (length < most_named) names += fmt::format(" under {}", next);
+    if (length < max_named) names += fmt::format(" under {}", next);
     ++length;
   }
-  if (length > most_named) names += " ...";
+  if (length > max_named) names += " ...";
   throw Error(ErrorKind::bad_input, fmt::format("nodes[{}]", node),
               fmt::format("{} nodes are each other's parents ({}); a hierarchy has no cycle", length, names));
 }

@@ -40,11 +40,11 @@ HouseholderQr::HouseholderQr(DenseMatrix& a, Pivoting pivoting) {
     const std::size_t left = a.rows - i;
     if (pivoting == Pivoting::columns) {
       std::size_t longest = i;
-      double most = -1;
+      double max_square = -1;
       for (std::size_t c = i; c < a.columns; ++c) {
         const double square = square_length(a.column(c) + i, left);
-        if (square > most) {
-          most = square;
+        if (square > max_square) {
+          max_square = square;
           longest = c;
         }
       }

@@ -148,11 +148,11 @@ SpringState SpringStep::apply(const SpringState& from, const Cubic& g) const {
 }
 
 double settling_seconds(const Spring& spring) {
-  constexpr double log_of_1000 = 0x1.ba18a998fffap+2, most = 10;
+  constexpr double log_of_1000 = 0x1.ba18a998fffap+2, max_seconds = 10;
   const double zeta = spring.damping_ratio;
   const double slowest = zeta <= 1 ? zeta : 1 / (zeta + std::sqrt((zeta - 1) * (zeta + 1)));
   const double rate = slowest * spring.angular_frequency;
-  return rate * most > log_of_1000 ? log_of_1000 / rate : most;
+  return rate * max_seconds > log_of_1000 ? log_of_1000 / rate : max_seconds;
 }
 
 double largest_overshoot(double zeta) {

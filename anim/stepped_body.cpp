@@ -28,7 +28,7 @@ SteppedBody::SteppedBody(SpringNet net, EdgeRest rest, MorphDrive drive, const T
       drive_(std::move(drive)),
       on_springs_(drive_.on_springs()),
       time_(time),
-      most_kept_(
+      max_kept_(
           std::max<std::size_t>(kept_bytes / (2 * sizeof(glm::dvec3) * std::max<std::size_t>(net_.masses, 1)), 2)),
       stepper_(net_, rest, step_seconds(time)) {
   const std::int64_t first = drive_.first_tick(), end = drive_.end_tick();
@@ -79,7 +79,7 @@ void SteppedBody::go_on_one_frame() {
 void SteppedBody::keep() {
   if ((frame_ - first_frame_) % stride_ != 0) return;
   kept_.emplace(frame_, state_);
-  while (kept_.size() > most_kept_) {
+  while (kept_.size() > max_kept_) {
     stride_ *= 2;
     std::erase_if(kept_, [this](const auto& entry) { return (entry.first - first_frame_) % stride_ != 0; });
   }

@@ -17,10 +17,10 @@ namespace morphcl {
 class SteppedBody : public ElasticBody {
  public:
   static constexpr int steps_per_frame = 16;
-  static constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;
+  static constexpr std::size_t max_kept_bytes = std::size_t{64} << 20;
 
   SteppedBody(SpringNet net, EdgeRest rest, MorphDrive drive, const TimeBase& time,
-              std::size_t kept_bytes = most_kept_bytes);
+              std::size_t kept_bytes = max_kept_bytes);
   void displacements_at(std::int64_t frame, Displacements& out) override;
   ElasticMethod method() const override { return ElasticMethod::tr_bdf2; }
 
@@ -34,7 +34,7 @@ class SteppedBody : public ElasticBody {
   const MorphDrive drive_;
   const bool on_springs_;
   const TimeBase time_;
-  const std::size_t most_kept_;
+  const std::size_t max_kept_;
   const TrBdf2 stepper_;
   std::int64_t first_frame_ = 0, end_frame_ = 0;  // nothing moves before; no key comes after
   NetState state_;

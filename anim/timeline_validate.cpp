@@ -56,9 +56,9 @@ void check_node(const Node& node, std::size_t index) {
 }
 
 void check_elastic(const Elastic& elastic, const std::string& place) {
-  const auto check = [&place](const char* name, double value, double least, double most) {
-    require(value >= least && value <= most, place,
-            fmt::format("elastic: {} is {}; it must be {} to {}", name, value, least, most));
+  const auto check = [&place](const char* name, double value, double min, double max) {
+    require(value >= min && value <= max, place,
+            fmt::format("elastic: {} is {}; it must be {} to {}", name, value, min, max));
   };
   check("anchor", elastic.anchor, min_elastic_anchor, max_elastic_stiffness);
   check("stiffness", elastic.stiffness, 0, max_elastic_stiffness);

@@ -21,8 +21,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
 
-void require(bool holds, const char* what, double value, double least, double most) {
-  if (!holds) refuse(fmt::format("a spring's {} is {}; it must be {} to {}", what, value, least, most));
+void require(bool holds, const char* what, double value, double min, double max) {
+  if (!holds) refuse(fmt::format("a spring's {} is {}; it must be {} to {}", what, value, min, max));
 }
 
 std::size_t values_per_key(Interpolation interpolation, int width) {
@@ -115,9 +115,9 @@ Track::Track(TickKeys keys)
     refuse(fmt::format("a rotation track has {} components a key; it needs 4: x y z w", width));
   if (keys.ticks_per_second < 1)
     refuse(fmt::format("a track has {} ticks a second; it needs at least 1", keys.ticks_per_second));
-  const std::size_t least_keys = interpolation == Interpolation::cubic ? 2 : 1;
-  if (ticks_.size() < least_keys)
-    refuse(fmt::format("a track has {} keys; this interpolation needs at least {}", ticks_.size(), least_keys));
+  const std::size_t min_keys = interpolation == Interpolation::cubic ? 2 : 1;
+  if (ticks_.size() < min_keys)
+    refuse(fmt::format("a track has {} keys; this interpolation needs at least {}", ticks_.size(), min_keys));
   const std::size_t per_key = values_per_key(interpolation, width);
   if (values_.size() / per_key != ticks_.size() || values_.size() % per_key != 0)
     refuse(fmt::format("a track of {} keys has {} values; it needs {} a key", ticks_.size(), values_.size(), per_key));
@@ -223,9 +223,10 @@ Cubic Track::curve_from(std::size_t key, int component) const {
 
 std::int64_t Track::end_tick() const {
   if (!spring_) return last_tick();
-  constexpr double most = 0x1p62;
+  constexpr double max_ticks = 0x1p62;
   const double settling = std::ceil(settling_seconds(spring_->spring()) * ticks_per_second_);
-  return last_tick() + static_cast<std::int64_t>(std::min(settling, most - std::abs(static_cast<double>(last_tick()))));
+  return last_tick() +
+         static_cast<std::int64_t>(std::min(settling, max_ticks - std::abs(static_cast<double>(last_tick()))));
 }
 
 void Track::evaluate(std::int64_t tick, double* out) const {

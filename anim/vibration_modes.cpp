@@ -79,11 +79,11 @@ bool orthogonalize(DenseMatrix& x, DenseMatrix& turns, std::size_t a, std::size_
 
 // x W = V diag(lengths of the columns); returns W.
 DenseMatrix jacobi(DenseMatrix& x) {
-  constexpr int most_sweeps = 60;  // some 6 to 10 are needed; each makes the angles quadratically smaller
+  constexpr int max_sweeps = 60;  // some 6 to 10 are needed; each makes the angles quadratically smaller
   DenseMatrix turns(x.columns, x.columns);
   for (std::size_t i = 0; i < x.columns; ++i) turns.column(i)[i] = 1;
   bool turned = true;
-  for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && turned; ++sweep) {
     turned = false;
     for (std::size_t a = 0; a + 1 < x.columns; ++a)
       for (std::size_t b = a + 1; b < x.columns; ++b) turned |= orthogonalize(x, turns, a, b);

@@ -13,7 +13,7 @@ namespace morphcl::bench {
 
 namespace {
 
-constexpr int most_targets = 4096;
+constexpr int max_targets = 4096;
 
 // A smooth bump around a point of the sphere that is `number`'s own; the normals follow it roughly, as sculpted shapes
 // do.
@@ -35,9 +35,9 @@ MorphTarget bump(const Mesh& sphere, int number) {
 }  // namespace
 
 Scene rig_scene(int targets, int width, int height, int frames) {
-  if (targets < 1 || targets > most_targets)
-    throw Error(ErrorKind::usage, "", fmt::format("--amount {} of scene rig: from 1 to {}", targets, most_targets));
-  const int active_targets = std::min(targets, most_active_targets);
+  if (targets < 1 || targets > max_targets)
+    throw Error(ErrorKind::usage, "", fmt::format("--amount {} of scene rig: from 1 to {}", targets, max_targets));
+  const int active_targets = std::min(targets, max_active_targets);
   BenchScene ball = make_bench_scene("heavy", width, height, 4 * 80 * 80);
   ball.name = "rig";
   Scene scene = morphcl_scene(ball, frames);
@@ -61,7 +61,7 @@ Scene rig_scene(int targets, int width, int height, int frames) {
   }
   for (int target = 0, active = 0; target < targets; ++target) {
     const bool is_active = active < active_targets && target == active * targets / active_targets;
-    mesh.targets.push_back(bump(mesh, is_active ? active++ : most_active_targets + target));
+    mesh.targets.push_back(bump(mesh, is_active ? active++ : max_active_targets + target));
   }
   validate(scene);
   return scene;

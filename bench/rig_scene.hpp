@@ -5,7 +5,7 @@
 
 namespace morphcl::bench {
 
-inline constexpr int most_active_targets = 5;
+inline constexpr int max_active_targets = 5;
 
 // A sphere of 160 x 80 quads with `targets` targets of positions and normals. Five of them (or all, where there are
 // fewer), spread over the list, have weights that move from frame to frame; from 5 targets on, these five and the

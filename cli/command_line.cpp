@@ -21,7 +21,7 @@
 namespace morphcl::cli {
 
 namespace {
-constexpr int most_threads = 1024;
+constexpr int max_threads = 1024;
 
 using Action = std::function<int()>;
 
@@ -63,10 +63,10 @@ void add_json_flag(CLI::App& command, bool& json) {
 
 void add_threads_option(CLI::App& command, int& threads) {
   command
-      .add_option("--threads", threads,
-                  fmt::format("CPU threads, 1 to {}; default: SLURM_CPUS_PER_TASK, else what the process may use",
-                              most_threads))
-      ->check(CLI::Range(1, most_threads))
+      .add_option(
+          "--threads", threads,
+          fmt::format("CPU threads, 1 to {}; default: SLURM_CPUS_PER_TASK, else what the process may use", max_threads))
+      ->check(CLI::Range(1, max_threads))
       ->type_name("N")
       ->group("Device");
 }

@@ -50,19 +50,19 @@ std::vector<const Differences*> worst_first(const FrameDifference& d) {
 }
 
 void print_objects(const FrameDifference& d) {
-  constexpr std::size_t most_objects = 12;
+  constexpr std::size_t max_objects = 12;
   Rows rows = {{"object", "pixels", "outline", "edge", "order", "colour max", "Z max"}};
   const std::vector<const Differences*> objects = worst_first(d);
-  for (std::size_t i = 0; i < std::min(objects.size(), most_objects); ++i) {
+  for (std::size_t i = 0; i < std::min(objects.size(), max_objects); ++i) {
     const Differences& o = *objects[i];
     rows.push_back({printable(o.name), fmt::to_string(o.pixels), fmt::to_string(o.outline), fmt::to_string(o.edge),
                     fmt::to_string(o.order), d.has_color ? number(o.color.all.largest) : "",
                     d.has_depth ? number(o.depth.all.largest) : ""});
   }
   print(rows);
-  if (objects.size() > most_objects)
+  if (objects.size() > max_objects)
     print_result(fmt::format("  and {} more objects, which differ less (--json and --out have all)",
-                             objects.size() - most_objects));
+                             objects.size() - max_objects));
 }
 
 void add_error(JsonLine& line, const std::string& what, const ErrorByCause& error) {

@@ -34,7 +34,7 @@ void print_json(const DeviceInfo& device, const std::string& verdict) {
   line.add("index", device.index).add("name", device.name).add("vendor", device.vendor);
   line.add("platform", device.platform).add("driver_version", device.driver_version).add("cpu", device.is_cpu);
   line.add("compute_units", static_cast<std::int64_t>(device.compute_units)).add("fp64", device.fp64);
-  line.add("global_memory_bytes", device.global_memory).add("largest_allocation_bytes", device.largest_allocation);
+  line.add("global_memory_bytes", device.global_memory).add("largest_allocation_bytes", device.max_allocation);
   print_result(line.add("local_memory_bytes", device.local_memory).add("verdict", verdict).str());
 }
 }  // namespace
@@ -49,8 +49,7 @@ int devices_command(const DevicesOptions& options) {
     rows.push_back({std::to_string(device.index), printable(device.name),
                     printable(device.platform.substr(0, device.platform.find(','))),
                     std::to_string(device.compute_units), mebibyte_text(device.global_memory),
-                    mebibyte_text(device.largest_allocation), fmt::format("{} KiB", device.local_memory >> 10),
-                    verdict});
+                    mebibyte_text(device.max_allocation), fmt::format("{} KiB", device.local_memory >> 10), verdict});
   }
   if (!options.json)
     for (const std::string& line : aligned(rows)) print_result(line);

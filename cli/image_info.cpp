@@ -12,7 +12,7 @@ namespace morphcl::cli {
 
 namespace {
 std::string window_text(const ExrWindow& window) {
-  return fmt::format("({}, {}) to ({}, {})", window.least.x, window.least.y, window.greatest.x, window.greatest.y);
+  return fmt::format("({}, {}) to ({}, {})", window.min.x, window.min.y, window.max.x, window.max.y);
 }
 
 void print_table(const ExrDescription& header, const ExrFrame& image) {

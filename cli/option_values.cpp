@@ -17,13 +17,13 @@ namespace morphcl::cli {
 
 namespace {
 
-constexpr std::int64_t largest_rate = 1'000'000;  // numerator and denominator of a frame rate
+constexpr std::int64_t max_rate = 1'000'000;  // numerator and denominator of a frame rate
 
 template <typename Number>
-std::optional<Number> whole_number(std::string_view text, Number least, Number most) {
+std::optional<Number> whole_number(std::string_view text, Number min, Number max) {
   Number value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) return std::nullopt;
+  if (error != std::errc() || end != text.data() + text.size() || value < min || value > max) return std::nullopt;
   return value;
 }
 }  // namespace
@@ -42,18 +42,18 @@ ImageSize parse_size(const std::string& text) {
 }
 
 std::uint64_t parse_seed(const std::string& text) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-  if (const auto seed = whole_number<std::uint64_t>(text, 0, most)) return *seed;
-  throw Error(ErrorKind::usage, "--seed", fmt::format("'{}' is no seed; a whole number from 0 to {}", text, most));
+  constexpr std::uint64_t max_seed = std::numeric_limits<std::uint64_t>::max();
+  if (const auto seed = whole_number<std::uint64_t>(text, 0, max_seed)) return *seed;
+  throw Error(ErrorKind::usage, "--seed", fmt::format("'{}' is no seed; a whole number from 0 to {}", text, max_seed));
 }
 
 TimeBase parse_fps(const std::string& text) {
   const std::string_view view = text;
   const std::size_t slash = view.find('/');
-  const auto numerator = whole_number<std::int64_t>(view.substr(0, slash), 1, largest_rate);
+  const auto numerator = whole_number<std::int64_t>(view.substr(0, slash), 1, max_rate);
   const auto denominator = slash == std::string_view::npos
                                ? std::optional<std::int64_t>(1)
-                               : whole_number<std::int64_t>(view.substr(slash + 1), 1, largest_rate);
+                               : whole_number<std::int64_t>(view.substr(slash + 1), 1, max_rate);
   if (!numerator || !denominator)
     throw Error(ErrorKind::usage, "--fps",
                 fmt::format("'{}' is no frame rate; a whole number such as 25, or a ratio such as 30000/1001", text));

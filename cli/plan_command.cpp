@@ -21,7 +21,7 @@ double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / 0x1p20
 std::optional<std::size_t> allocation_limit() try {
   prepare_process(0);
   for (const DeviceInfo& device : list_devices())
-    if (device.is_cpu) return device.largest_allocation;
+    if (device.is_cpu) return device.max_allocation;
   return std::nullopt;
 } catch (const Error&) {
   return std::nullopt;

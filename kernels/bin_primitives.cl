@@ -9,14 +9,14 @@
 //
 // In, out and steps are those of the stages: project_vertices.h, light_faces.h, bin_primitives.h.
 
-#include "project_vertices.h"
-#include "light_faces.h"
 #include "bin_primitives.h"
+#include "light_faces.h"
+#include "project_vertices.h"
 
 kernel void bin_primitives(global const FrameConstants* frame, global const DrawConstants* draws,
                            global const uint* indices, global const int4* vertices,
-                           global const ClippedPrimitive* clipped, global ulong* fragment_keys,
-                           global BinsHeader* bins, global LargeTriangle* large) {
+                           global const ClippedPrimitive* clipped, global ulong* fragment_keys, global BinsHeader* bins,
+                           global LargeTriangle* large) {
   bin_chunk((uint)get_global_id(0), frame, draws, indices, vertices, clipped, fragment_keys, bins, large);
 }
 

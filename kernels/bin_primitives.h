@@ -3,21 +3,21 @@
 // In:  vertices, indices, draws, clipped primitives.
 // Out, one set a chunk: fragments {depth, id, place in the tile} of lines and of triangles over at most 8 x 8 pixel
 //      centres, already rasterised; large triangles, set up, with an entry in every tile they may touch; both in pages.
-//      chunk_status[chunk]: how much room the chunk needed. What found no room raises the flag `overflow` and the frame is
-//      binned again.
-// Steps: 1 fetch 16 triangles, cull, classify; 2 rasterise the small ones, one lane a triangle; 3 set up the large ones;
-//        4 lines; 5 what clipping left of this chunk's primitives, as large triangles.
-// One work-item walks a chunk of primitive groups, near draws first: what they hide is then left out in the tiles at little cost.
-// Nothing but the time depends on the order of entries.
+//      chunk_status[chunk]: how much room the chunk needed. What found no room raises the flag `overflow` and the frame
+//      is binned again.
+// Steps: 1 fetch 16 triangles, cull, classify; 2 rasterise the small ones, one lane a triangle; 3 set up the large
+//        ones; 4 lines; 5 what clipping left of this chunk's primitives, as large triangles.
+// One work-item walks a chunk of primitive groups, near draws first: what they hide is then left out in the tiles at
+// little cost. Nothing but the time depends on the order of entries.
 
 #ifndef MORPHCL_BIN_PRIMITIVES_H
 #define MORPHCL_BIN_PRIMITIVES_H
 
-#include "layout.h"
-#include "vector.h"
-#include "raster.h"
 #include "depth_format.h"
+#include "layout.h"
+#include "raster.h"
 #include "tables.h"
+#include "vector.h"
 
 // A chunk's bins while they are filled.
 typedef struct {
@@ -50,7 +50,8 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
     area = -area;
   }
   turn_for_depth(&a, &b, &c);
-  const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0), first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
+  const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0),
+            first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
   const int last_x = min(LAST_PIXEL(max(a.x, max(b.x, c.x))), bins->width - 1);
   const int last_y = min(LAST_PIXEL(max(a.y, max(b.y, c.y))), bins->height - 1);
   if (first_x > last_x || first_y > last_y) return;
@@ -130,8 +131,8 @@ static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px
   return dx * (py - vy) - dy * (px - vx) - (1 + owns_edge);
 }
 
-static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x, int16 first_y,
-                                             int16 last_x, int16 last_y, uint first_id) {
+static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x,
+                                             int16 first_y, int16 last_x, int16 last_y, uint first_id) {
   const int16 d1x = t.x[1] - t.x[0], d1y = t.y[1] - t.y[0], d2x = t.x[2] - t.x[0], d2y = t.y[2] - t.y[0];
   const int16 d3x = t.x[2] - t.x[1], d3y = t.y[2] - t.y[1];
   const int16 px = first_x * SUBPIXELS + HALF_PIXEL, py = first_y * SUBPIXELS + HALF_PIXEL;
@@ -146,7 +147,7 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
   const int16 columns = last_x - first_x, rows = last_y - first_y;
   for (int j = 0; j < SMALL_PIXELS; j++) {
     if (!any_lane(active & (rows >= j))) break;
-    const int16 row_active = active & (rows >= j) & (first_y >= -j);  // rows above the image come first and draw nothing
+    const int16 row_active = active & (rows >= j) & (first_y >= -j);  // first rows may lie above the image
     const SmallRow row = small_row(&planes, j);
     int16 value0 = row0, value1 = row1, value2 = row2;
     for (int i = 0; i < SMALL_PIXELS; i++) {
@@ -200,13 +201,15 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
   const int16 low_x = min(t.x[0], min(t.x[1], t.x[2])), high_x = max(t.x[0], max(t.x[1], t.x[2]));
   const int16 low_y = min(t.y[0], min(t.y[1], t.y[2])), high_y = max(t.y[0], max(t.y[1], t.y[2]));
   const int16 first_x = FIRST_PIXEL(low_x), first_y = FIRST_PIXEL(low_y);
-  const int16 last_x = min(LAST_PIXEL(high_x), (int16)(bins->width - 1)), last_y = min(LAST_PIXEL(high_y), (int16)(bins->height - 1));
+  const int16 last_x = min(LAST_PIXEL(high_x), (int16)(bins->width - 1)),
+              last_y = min(LAST_PIXEL(high_y), (int16)(bins->height - 1));
   const int16 seen = ~clipped & (max(first_x, (int16)(0)) <= last_x) & (max(first_y, (int16)(0)) <= last_y);
   // Up to 64 pixels wide and high, areas and edge values fit 32 bits.
   const int16 fits_int = ((high_x - low_x) < TILE * SUBPIXELS) & ((high_y - low_y) < TILE * SUBPIXELS);
   int16 area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
   const int16 faces = double_sided ? area != 0 : area > 0;
-  const int16 small = seen & fits_int & faces & ((last_x - first_x) < SMALL_PIXELS) & ((last_y - first_y) < SMALL_PIXELS);
+  const int16 small =
+      seen & fits_int & faces & ((last_x - first_x) < SMALL_PIXELS) & ((last_y - first_y) < SMALL_PIXELS);
   const int16 large = seen & ~small & (faces | ~fits_int);
 
   if (any_lane(small)) {
@@ -243,7 +246,8 @@ static inline void bin_line_group(Bins* bins, global const DrawConstants* draw, 
   }
 }
 
-static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, global const int4* corners, uint count, uint first_id) {
+static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, global const int4* corners, uint count,
+                               uint first_id) {
   if (draw->flags & DRAW_LINES) {
     if (count == 2) bin_line(bins, corners[0], corners[1], first_id + 1);
     return;

@@ -3,35 +3,39 @@
 //
 // In:  vertices as projection left them (OUTSIDE marks the corners in question), indices, draws, targets, mesh data.
 // Out: clipped[slot] one clipped primitive: the number of its source, how many corners it has (2 of a line, 3 to 8 of a
-//      polygon), and for each corner the weights of the source triangle's three vertices; its corners as vertex records at
-//      first_clip_vertex + 8 * slot. Slots are in order of the primitives' numbers, whatever the number of work-items.
+//      polygon), and for each corner the weights of the source triangle's three vertices; its corners as vertex records
+//      at first_clip_vertex + 8 * slot. Slots are in order of the primitives' numbers, whatever the number of
+//      work-items.
 // Steps: count_clipped counts a chunk's primitives; clip_primitives starts where the earlier chunks end and, for each
-//      primitive in order, 1 transforms its corners again, 2 cuts by the planes near, left, right, bottom, top, 3 snaps what is left.
+//      primitive in order, 1 transforms its corners again, 2 cuts by the planes near, left, right, bottom, top, 3 snaps
+//      what is left.
 // The cut of an edge is computed from its inner to its outer end and depends on nothing else, so the two triangles at a
 // shared edge get the same bits; the plane's own coordinate is set, not computed.
 // One work-item walks a chunk of primitive groups. What does not fit into the pool is counted but not stored.
 
-#include "layout.h"
-#include "vector.h"
-#include "vertex.h"
 #include "depth_format.h"
-#include "two_float.h"
+#include "layout.h"
 #include "precise_vertices.h"
 #include "tables.h"
+#include "two_float.h"
+#include "vector.h"
+#include "vertex.h"
 
 typedef struct {
   float x, y, z, w;
   float weight[3];
 } Corner;
 
-static inline uint corner_record(global const DrawConstants* draw, global const uint* indices, uint corner, uint primitive) {
+static inline uint corner_record(global const DrawConstants* draw, global const uint* indices, uint corner,
+                                 uint primitive) {
   return draw->first_vertex_group * LANES + indices[draw->indices + corner * draw->index_pitch + primitive];
 }
 
 // Whether a primitive needs a slot: some corner is outside, but not all of them outside the same plane, none invalid.
 static inline bool needs_clipping(global const int4* vertices, uint a, uint b, uint c) {
   const int4 va = vertices[a], vb = vertices[b], vc = vertices[c];
-  const int code_a = va.x == OUTSIDE ? va.y : 0, code_b = vb.x == OUTSIDE ? vb.y : 0, code_c = vc.x == OUTSIDE ? vc.y : 0;
+  const int code_a = va.x == OUTSIDE ? va.y : 0, code_b = vb.x == OUTSIDE ? vb.y : 0,
+            code_c = vc.x == OUTSIDE ? vc.y : 0;
   const int all = code_a & code_b & code_c, some = code_a | code_b | code_c;
   return some != 0 && all == 0 && (some & OUT_INVALID) == 0;
 }
@@ -64,7 +68,8 @@ kernel void count_clipped(global const FrameConstants* frame, global const DrawC
 
 // The source vertex in clip space. Sixteen lanes are loaded and one is kept: the arithmetic must be projection's own.
 static inline Corner source_corner(global const DrawConstants* draw, global const PreciseConstants* precise,
-                                   global const TargetConstants* targets, global const float* mesh_data, uint vertex, int number) {
+                                   global const TargetConstants* targets, global const float* mesh_data, uint vertex,
+                                   int number) {
   const uint at = vertex & ~(LANES - 1u), lane = vertex & (LANES - 1u);
   float16 x, y, z;
   const ClipPoints p = clip_points(draw, precise, targets, mesh_data, at, &x, &y, &z);
@@ -94,8 +99,8 @@ static inline float plane_distance(const Corner* c, int plane, global const Fram
 // (1 - t) a + t b, exact for t = 0, t = 1 and a = b, so that what lies on the near plane stays on it.
 static inline float mix_exact_ends(float a, float b, float t) { return fma(t, b, fma(-t, a, a)); }
 
-static inline Corner cut(const Corner* inner, const Corner* outer, float inner_distance, float outer_distance, int plane,
-                         global const FrameConstants* frame) {
+static inline Corner cut(const Corner* inner, const Corner* outer, float inner_distance, float outer_distance,
+                         int plane, global const FrameConstants* frame) {
   const float t = inner_distance / (inner_distance - outer_distance);
   Corner c;
   c.x = mix_exact_ends(inner->x, outer->x, t);
@@ -124,7 +129,8 @@ static inline void add_corner(Corner* out, int* count, Corner corner) {
 }
 
 // Cuts the closed polygon (or, with two corners, the open segment) by one plane; returns the number of corners left.
-static inline int cut_by_plane(const Corner* in, int count, Corner* out, int plane, global const FrameConstants* frame) {
+static inline int cut_by_plane(const Corner* in, int count, Corner* out, int plane,
+                               global const FrameConstants* frame) {
   const int edges = count == 2 ? 1 : count;
   int left = 0;
   for (int i = 0; i < edges; i++) {
@@ -162,7 +168,8 @@ COMPILED_ONCE void clip_chunk(uint chunk, global const FrameConstants* restrict 
       Corner corners[CLIP_VERTICES], scratch[CLIP_VERTICES];
       int count = draw->flags & DRAW_LINES ? 2 : 3;
       for (int i = 0; i < count; i++)
-        corners[i] = source_corner(draw, precise_constants(frame), targets, mesh_data, record[i] - draw->first_vertex_group * LANES, i);
+        corners[i] = source_corner(draw, precise_constants(frame), targets, mesh_data,
+                                   record[i] - draw->first_vertex_group * LANES, i);
       for (int plane = 0; plane < 5 && count > 0; plane++) {
         count = cut_by_plane(corners, count, scratch, plane, frame);
         for (int i = 0; i < count; i++) corners[i] = scratch[i];

@@ -3,10 +3,12 @@
 //
 // A vertex record keeps the distance along the view axis. Normalized depth is 1 on the near plane and 0 on the far one:
 //   (q - depth_far) * depth_scale,  q = near / distance and depth_far = near / far; parallel: minus the distances
-// It is affine on the screen, and interpolated in two floats by the exact doubled areas opposite to the corners, each times
-// its corner's normalized depth over the whole area: no cancellation, about 2^-40 of the largest. What is stored is a *key*:
+// It is affine on the screen, and interpolated in two floats by the exact doubled areas opposite to the corners, each
+// times its corner's normalized depth over the whole area: no cancellation, about 2^-40 of the largest. What is stored
+// is a *key*:
 //   fixed   normalized depth times the number of steps, rounded to nearest
-//   float   the bits of 1 less those of 1 - normalized depth, rounded to float: neighbouring floats have neighbouring keys
+//   float   the bits of 1 less those of 1 - normalized depth, rounded to float: neighbouring floats have neighbouring
+//           keys
 // Keys lie between those of the corners. What is beyond the far plane, of negative normalized depth, is not drawn.
 
 #ifndef MORPHCL_FORWARD_DEPTH_H
@@ -50,7 +52,8 @@ static inline Depth max_depth(Depths depths) {
 static inline Depth depth_from_bits(uint bits) { return bits; }
 static inline Depth background_depth(global const FrameConstants* frame) { return 0; }
 
-// ---- normalized depth and keys ---------------------------------------------------------------------------------------------
+// ---- normalized depth and keys
+// ----------------------------------------------------------------------------------------
 
 static inline TwoFloats normalized_depth_of(float16 distance, global const FrameConstants* frame) {
   TwoFloats q = two_floats(-distance, (float16)0.0f);
@@ -81,8 +84,8 @@ static inline uint16 key_of(TwoFloats normalized_depth) {
   high = select(high, (float16)(DEPTH_STEPS), high > DEPTH_STEPS);
   const float16 whole = rint(high);
   const long16 key = convert_long16(whole) + convert_long16(rint((high - whole) + steps.low));
-  const long most = (long)DEPTH_STEPS + (long)DEPTH_STEPS_REST;
-  return convert_uint16(min(max(key, (long16)(0)), (long16)(most)));
+  const long max_key = (long)DEPTH_STEPS + (long)DEPTH_STEPS_REST;
+  return convert_uint16(min(max(key, (long16)(0)), (long16)(max_key)));
 #endif
 }
 
@@ -106,9 +109,10 @@ typedef struct {
   int16 in_range;  // no part is beyond the far plane
 } NormalizedDepthPlanes;
 
-static inline NormalizedDepthPlanes normalized_depth_planes(float16 distance_a, float16 distance_b, float16 distance_c, TwoFloats area,
-                                               global const FrameConstants* frame) {
-  const TwoFloats a = normalized_depth_of(distance_a, frame), b = normalized_depth_of(distance_b, frame), c = normalized_depth_of(distance_c, frame);
+static inline NormalizedDepthPlanes normalized_depth_planes(float16 distance_a, float16 distance_b, float16 distance_c,
+                                                            TwoFloats area, global const FrameConstants* frame) {
+  const TwoFloats a = normalized_depth_of(distance_a, frame), b = normalized_depth_of(distance_b, frame),
+                  c = normalized_depth_of(distance_c, frame);
   const uint16 key_a = key_of(a), key_b = key_of(b), key_c = key_of(c);
   NormalizedDepthPlanes planes;
   planes.min_key = min(key_a, min(key_b, key_c));
@@ -120,7 +124,8 @@ static inline NormalizedDepthPlanes normalized_depth_planes(float16 distance_a, 
   return planes;
 }
 
-static inline TwoFloats interpolated(TwoFloats a, TwoFloats b, TwoFloats c, TwoFloats part_a, TwoFloats part_b, TwoFloats part_c) {
+static inline TwoFloats interpolated(TwoFloats a, TwoFloats b, TwoFloats c, TwoFloats part_a, TwoFloats part_b,
+                                     TwoFloats part_c) {
   return sum_of(product_of(part_a, a), sum_of(product_of(part_b, b), product_of(part_c, c)));
 }
 
@@ -128,9 +133,10 @@ static inline TwoFloats interpolated(TwoFloats a, TwoFloats b, TwoFloats c, TwoF
 
 static inline void turn_for_depth(int4* a, int4* b, int4* c) {}
 
-static inline void set_depth_plane(LargeTriangle* t, int4 a, int4 b, int4 c, long area, global const FrameConstants* frame) {
-  const NormalizedDepthPlanes planes = normalized_depth_planes((float16)(as_float(a.z)), (float16)(as_float(b.z)), (float16)(as_float(c.z)),
-                                                  from_longs((long16)(area)), frame);
+static inline void set_depth_plane(LargeTriangle* t, int4 a, int4 b, int4 c, long area,
+                                   global const FrameConstants* frame) {
+  const NormalizedDepthPlanes planes = normalized_depth_planes(
+      (float16)(as_float(a.z)), (float16)(as_float(b.z)), (float16)(as_float(c.z)), from_longs((long16)(area)), frame);
   DepthPlane* p = &t->plane;
   p->a[0] = planes.a.high.s0;
   p->a[1] = planes.a.low.s0;
@@ -168,7 +174,8 @@ static inline TwoFloats normalized_depth_in_row(global const LargeTriangle* t, T
 }
 
 static inline Depths depths_in_row(global const LargeTriangle* t, TileDepth corner, int column, int row) {
-  return min(max(key_of(normalized_depth_in_row(t, corner, column, row)), (uint16)(t->plane.min_key)), (uint16)(t->plane.max_key));
+  return min(max(key_of(normalized_depth_in_row(t, corner, column, row)), (uint16)(t->plane.min_key)),
+             (uint16)(t->plane.max_key));
 }
 static inline int16 in_range(global const LargeTriangle* t, TileDepth corner, int column, int row) {
   if (t->plane.in_range) return (int16)(-1);
@@ -180,7 +187,8 @@ static inline bool is_in_range(global const LargeTriangle* t) { return t->plane.
 typedef struct {
   Depths min, max;
 } DepthBounds;
-static inline DepthBounds depth_bounds(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right, int16 top, int16 bottom) {
+static inline DepthBounds depth_bounds(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right,
+                                       int16 top, int16 bottom) {
   DepthBounds bounds;
   bounds.min = t->plane.min_key;
   bounds.max = t->plane.max_key;
@@ -195,11 +203,12 @@ typedef struct {
   int16 part1_dx, part1_dy, part2_dx, part2_dy;  // per pixel
 } SmallPlanes;
 
-ALWAYS_INLINE SmallPlanes small_planes(const int16 depth[3], int16 area, int16 part1, int16 part2, int16 d1x, int16 d1y, int16 d2x,
-                                       int16 d2y, global const FrameConstants* frame) {
+ALWAYS_INLINE SmallPlanes small_planes(const int16 depth[3], int16 area, int16 part1, int16 part2, int16 d1x, int16 d1y,
+                                       int16 d2x, int16 d2y, global const FrameConstants* frame) {
   SmallPlanes planes;
   // Lanes that are not drawn may have no area; they are not looked at.
-  planes.normalized_depth = normalized_depth_planes(as_float16(depth[0]), as_float16(depth[1]), as_float16(depth[2]), from_ints(area), frame);
+  planes.normalized_depth =
+      normalized_depth_planes(as_float16(depth[0]), as_float16(depth[1]), as_float16(depth[2]), from_ints(area), frame);
   planes.area = area;
   planes.part1 = part1;
   planes.part2 = part2;
@@ -223,7 +232,8 @@ ALWAYS_INLINE SmallRow small_row(const SmallPlanes* planes, int row) {
 ALWAYS_INLINE Depths small_depths(const SmallPlanes* planes, SmallRow row, int column, int16* covered) {
   const int16 part1 = row.part1 + planes->part1_dx * column, part2 = row.part2 + planes->part2_dx * column;
   const NormalizedDepthPlanes* p = &planes->normalized_depth;
-  const TwoFloats normalized_depth = interpolated(p->a, p->b, p->c, from_ints(planes->area - part1 - part2), from_ints(part1), from_ints(part2));
+  const TwoFloats normalized_depth =
+      interpolated(p->a, p->b, p->c, from_ints(planes->area - part1 - part2), from_ints(part1), from_ints(part2));
   *covered &= p->in_range | (normalized_depth.high >= 0.0f);
   return min(max(key_of(normalized_depth), p->min_key), p->max_key);
 }
@@ -242,7 +252,8 @@ static inline LineDepth line_depth(int4 a, int4 b, global const FrameConstants* 
 static inline bool depth_on_line(const LineDepth* line, long offset, long run, uint* bits) {
   const TwoFloats whole = from_longs((long16)(run));
   const TwoFloats at_start = product_of(line->start, from_longs((long16)(run - offset)));
-  const TwoFloats normalized_depth = quotient_of(sum_of(at_start, product_of(line->end, from_longs((long16)(offset)))), whole);
+  const TwoFloats normalized_depth =
+      quotient_of(sum_of(at_start, product_of(line->end, from_longs((long16)(offset)))), whole);
   *bits = key_of(normalized_depth).s0;
   return normalized_depth.high.s0 >= 0.0f;
 }
@@ -250,7 +261,8 @@ static inline bool depth_on_line(const LineDepth* line, long offset, long run, u
 // ---- vertices -------------------------------------------------------------------------------------------------------
 
 // What a vertex record keeps for depth: the distance.
-ALWAYS_INLINE float16 vertex_depth(float16 clip_z, float16 clip_w, float16 inverse_w, global const FrameConstants* frame) {
+ALWAYS_INLINE float16 vertex_depth(float16 clip_z, float16 clip_w, float16 inverse_w,
+                                   global const FrameConstants* frame) {
   return frame->camera.parallel ? -clip_z : clip_w;
 }
 

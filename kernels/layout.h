@@ -1,7 +1,7 @@
-// What host and kernels share: the structs in buffers and the constants of the raster design. Included by the kernels and,
-// through host/render/frame/kernel_layout.hpp, by the host, which checks the sizes.
+// What host and kernels share: the structs in buffers and the constants of the raster design. Included by the kernels
+// and, through host/render/frame/kernel_layout.hpp, by the host, which checks the sizes.
 //
-// The picture. Tiles are numbered row by row, blocks within a tile likewise, pixels by sub-pixels of 1/256, y downwards:
+// The picture. Tiles are numbered row by row, blocks within a tile likewise; y points downwards:
 //
 //     tile of 64 x 64 pixels        block of 16 x 16 pixels       pixel
 //     +----+----+----+----+         +----------------+            +-----------------+
@@ -14,17 +14,17 @@
 //     | 12 | 13 | 14 | 15 |         |                |            |                 |
 //     +----+----+----+----+         +----------------+            +-----------------+
 //
-// The order of things. Vertices and primitives of all draws follow each other, each draw's padded to whole groups of 16:
+// The order of things. Vertices and primitives of all draws follow each other, each draw's padded to groups of 16:
 //
-//     vertex group      |--- draw 0 ---|- draw 1 -|---- draw 2 ----|    vertex i of a draw: record first_vertex_group * 16 + i
-//     primitive group   |- draw 0 -|--- draw 1 ---|- draw 2 -|          number = group * 16 + lane, id = number * 8 + piece
+//     vertex group      |--- draw 0 ---|- draw 1 -|---- draw 2 ----|    vertex i: record first_vertex_group * 16 + i
+//     primitive group   |- draw 0 -|--- draw 1 ---|- draw 2 -|          id = (group * 16 + lane) * 8 + piece
 //     order of binning  |- draw 2 -|- draw 0 -|--- draw 1 ---|          the same primitive groups, near draws first
-//     chunk             |=====0=====|=====1=====|====2====|             a run of groups that one work-item walks through
+//     chunk             |=====0=====|=====1=====|====2====|             a run of groups, one work-item walks it
 //
 // An id has piece 0 for a primitive drawn as it is and 1 to 7 for the triangles that clipping cut it into, so that ids
 // compare in drawing order.
 //
-// The bins of a chunk: for each tile a list of pages of 64 entries, filled one after the other; page 0 stands for "none".
+// The bins of a chunk: for each tile a list of pages of 64 entries, filled one after the other; page 0 is "none".
 //
 //     heads[tile] ---> behind the newest entry of page 7      next[7] = 3, next[3] = 0: page 3 was filled before page 7
 //
@@ -36,27 +36,27 @@
 
 #include "camera.h"
 
-#define LANES 16              // of a vector; vertices or primitives in a group
-#define TILE 64               // pixels; also 64 x 64 = 4096 samples in a tile
-#define TILE_BLOCK 16         // pixels; a tile has 4 x 4 of them
-#define SUBPIXEL_BITS 8       // vertices are snapped to 1/256 pixel
+#define LANES 16         // of a vector; vertices or primitives in a group
+#define TILE 64          // pixels; also 64 x 64 = 4096 samples in a tile
+#define TILE_BLOCK 16    // pixels; a tile has 4 x 4 of them
+#define SUBPIXEL_BITS 8  // vertices are snapped to 1/256 pixel
 #define SUBPIXELS (1 << SUBPIXEL_BITS)
 #define HALF_PIXEL (SUBPIXELS / 2)
-#define MAX_SUBPIXEL 0x1p23f  // snapped coordinates within the guard band are at most this
-#define MAX_GUARD 4096.0f     // of the guard band's factor, so that tiny images do not overflow w
-#define SMALL_PIXELS 8        // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
-#define PAGE 64               // entries a page of the bins
+#define MAX_SUBPIXEL 0x1p23f     // snapped coordinates within the guard band are at most this
+#define MAX_GUARD 4096.0f        // of the guard band's factor, so that tiny images do not overflow w
+#define SMALL_PIXELS 8           // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
+#define PAGE 64                  // entries a page of the bins
 #define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
-#define CLIP_VERTICES 8       // a triangle clipped by five planes has at most 8 corners
+#define CLIP_VERTICES 8          // a triangle clipped by five planes has at most 8 corners
 #define VERTEX_GROUPS_PER_CHUNK 64
 
-#define NO_ID 0xffffffffu     // a sample that nothing covers
+#define NO_ID 0xffffffffu          // a sample that nothing covers
 #define OUTSIDE ((int)0x80000000)  // in place of x: the vertex needs clipping, y holds its outcode
 #define BACKGROUND_DEPTH 1e10f
-#define MAX_CLIP_COORDINATE 1e33f  // what is beyond is invalid: guard factor times w must not overflow
+#define MAX_CLIP_COORDINATE 1e33f   // what is beyond is invalid: guard factor times w must not overflow
 #define MIN_NORMAL_SQUARE 0x1p-20f  // a morphed normal shorter than 2^-10 has been cancelled: the base's is taken
 
-// Depth buffers, as in host/math/depth_format.hpp. A program is compiled for one of them.
+// Depth buffers, as in include/morphcl/depth_format.hpp. A program is compiled for one of them.
 #define DEPTH_REVERSED_FLOAT 0
 #define DEPTH_FLOAT 1
 #define DEPTH_FIXED_16 2
@@ -76,52 +76,52 @@
 #define OUT_INVALID 32
 
 // Draw flags.
-#define DRAW_LINES 1u          // primitives are line segments
-#define DRAW_DOUBLE_SIDED 2u   // back faces are drawn, their normals turned round
-#define DRAW_MIRRORED 4u       // front faces turn clockwise in object space
-#define DRAW_SMOOTH 8u         // normals are interpolated and lit per pixel
-#define DRAW_FLAT 16u          // one colour a face
+#define DRAW_LINES 1u         // primitives are line segments
+#define DRAW_DOUBLE_SIDED 2u  // back faces are drawn, their normals turned round
+#define DRAW_MIRRORED 4u      // front faces turn clockwise in object space
+#define DRAW_SMOOTH 8u        // normals are interpolated and lit per pixel
+#define DRAW_FLAT 16u         // one colour a face
 #define DRAW_VERTEX_COLORS 32u
-#define DRAW_PIVOT 64u         // vertices are computed relative to a pivot, which the matrices have taken in
-#define DRAW_TWO_FLOAT 128u    // vertices are computed in two floats
+#define DRAW_PIVOT 64u       // vertices are computed relative to a pivot, which the matrices have taken in
+#define DRAW_TWO_FLOAT 128u  // vertices are computed in two floats
 
 // ---- buffers --------------------------------------------------------------------------------------------------------
 //
 // A kernel takes at most 12 buffers; small tables share one, told apart by offsets in FrameConstants. Sharing lowers no
 // limit, though a device may allocate no more than a quarter of its memory at once:
 //
-//   frame          constants, lights, numbers of changed vertex chunks, precise constants. At most 80 bytes a draw and 4 a
-//                  chunk of 64 vertex groups, while a draw has at least 256 bytes of vertices. (Lights are read for every
-//                  pixel: time ends them, not memory.)
-//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 236 a draw,
-//                  4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at least 256 a
-//                  primitive group: one of them is the larger.
+//   frame          constants, lights, numbers of changed vertex chunks, precise constants. At most 80 bytes a draw and
+//                  4 a chunk of 64 vertex groups, while a draw has at least 256 bytes of vertices. (Lights are read for
+//                  every pixel: time ends them, not memory.)
+//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 236 a
+//                  draw, 4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at
+//                  least 256 a primitive group: one of them is the larger.
 //   clipped        source and weights: 104 bytes a primitive, whose corners take 128 of the vertices.
-//   bins           all of the bins but the fragments' keys and the large triangles. Lists of the tiles take 268 bytes a tile
-//                  and chunk, the rest a quarter of the keys. Where that is too much, there are fewer chunks: of one chunk
-//                  the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp).
-//   fragment_keys, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets: each on its own, since
-//   any of them can be the largest.
+//   bins           all of the bins but the fragments' keys and the large triangles. Lists of the tiles take 268 bytes a
+//                  tile and chunk, the rest a quarter of the keys. Where that is too much, there are fewer chunks: of
+//                  one chunk the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp).
+//   fragment_keys, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets: each on its own,
+//   since any of them can be the largest.
 
 typedef struct {
   float object_to_clip[4][4];  // rows x, y, depth, w; entry 3 is the constant
   float object_to_eye[3][4];
-  float normal_to_eye[3][4];   // entry 3 unused
+  float normal_to_eye[3][4];  // entry 3 unused
   float base_color[4];
   uint flags;
   uint first_vertex_group;  // of this draw's vertices; vertex i is record first_vertex_group * 16 + i
   uint vertex_group_count;
   uint first_primitive_group, primitive_group_count;
-  uint first_in_order;   // of its primitive groups in the order of binning
-  uint positions;        // float index of x in the mesh data; y and z follow at distance `pitch`
+  uint first_in_order;  // of its primitive groups in the order of binning
+  uint positions;       // float index of x in the mesh data; y and z follow at distance `pitch`
   uint normals;
-  uint colors;           // r, g, b, a planes
-  uint pitch;            // floats, a multiple of 16
-  uint indices;          // uint index of the first corners in the index data; second and third at distance index_pitch
+  uint colors;   // r, g, b, a planes
+  uint pitch;    // floats, a multiple of 16
+  uint indices;  // uint index of the first corners in the index data; second and third at distance index_pitch
   uint index_pitch;
-  uint first_target;     // into the table of active targets
+  uint first_target;  // into the table of active targets
   uint target_count;
-  uint precise;          // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
+  uint precise;  // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
 } DrawConstants;
 
 typedef struct {
@@ -154,7 +154,8 @@ typedef struct {
   float weights[CLIP_VERTICES][3];  // of each corner at the source triangle's vertices
 } ClippedPrimitive;
 
-// What a chunk found out while binning, for the host: pools that were too small are grown and the frame is binned again.
+// What a chunk found out while binning, for the host: pools that were too small are grown and the frame is binned
+// again.
 typedef struct {
   uint clipped, fragment_pages, entry_pages, large;
 } ChunkStatus;
@@ -185,14 +186,14 @@ typedef struct {
   float guard_x, guard_y;                      // clip against |x| <= guard * w
   int width, height;
   int tiles_x, tiles_y;
-  uint row_bytes;          // from one row of the picture to the next
-  uint color_offset[4], depth_offset, notes_offset;  // bytes from the start of a row to R, G, B, A, the distances, the notes
-  uint tile_step;          // tiles are walked in steps of this, coprime to their number in each launch, to spread the load
+  uint row_bytes;                                    // from one row of the picture to the next
+  uint color_offset[4], depth_offset, notes_offset;  // bytes from the start of a row to R, G, B, A, distances, notes
+  uint tile_step;  // tiles are walked in steps of this, coprime to their number in each launch, to spread the load
   uint light_count, has_point_lights;
   uint vertex_group_count, primitive_group_count;
   uint chunk_count, primitive_groups_per_chunk;
-  uint clip_capacity;      // clipped primitives that fit
-  uint first_clip_vertex;  // record index where clipped corners start
+  uint clip_capacity;                                // clipped primitives that fit
+  uint first_clip_vertex;                            // record index where clipped corners start
   uint fragment_pages, entry_pages, large_capacity;  // of one chunk
   uint writes_color, writes_depth;
   uint clips;              // 0: the plan proved that nothing needs clipping
@@ -208,9 +209,9 @@ typedef struct {
 // How depth runs over a triangle a b c: kernels/reversed_depth.h and kernels/forward_depth.h.
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
 typedef struct {
-  float depth;       // at a, the farthest corner
-  float depth1;      // at b minus at a
-  float depth2;      // at c minus at a
+  float depth;   // at a, the farthest corner
+  float depth1;  // at b minus at a
+  float depth2;  // at c minus at a
   float inverse_area;
   float depth_dx, depth_dy;  // per pixel
   uint pad[3];
@@ -225,9 +226,9 @@ typedef struct {
 
 // A triangle that is rasterised in the tiles.
 typedef struct {
-  int ax, ay;        // sub-pixels
-  int d1x, d1y;      // b - a
-  int d2x, d2y;      // c - a
+  int ax, ay;    // sub-pixels
+  int d1x, d1y;  // b - a
+  int d2x, d2y;  // c - a
   uint id;
   DepthPlane plane;
 } LargeTriangle;

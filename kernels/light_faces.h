@@ -1,8 +1,8 @@
 // light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing.
 //
 // In:  attributes of flat draws (morphed positions in object space), indices, draws, lights.
-// Out: face_colors[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every light
-//      gives at the triangle's centre.
+// Out: face_colors[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every
+//      light gives at the triangle's centre.
 // Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
 // double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
 // One work-item walks a chunk of primitive groups.
@@ -11,9 +11,9 @@
 #define MORPHCL_LIGHT_FACES_H
 
 #include "layout.h"
-#include "vector.h"
 #include "light.h"
 #include "tables.h"
+#include "vector.h"
 
 COMPILED_ONCE void light_chunk(uint chunk, global const FrameConstants* restrict frame,
                                global const DrawConstants* restrict draws, global const uint* restrict indices,

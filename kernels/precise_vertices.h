@@ -16,7 +16,8 @@ typedef struct {
 
 // Base and absolute targets are taken relative to the pivot; deltas are relative already.
 COMPILED_ONCE PreciseVertices pivot_vertices(global const DrawConstants* draw, global const PreciseConstants* precise,
-                                             global const TargetConstants* targets, global const float* mesh_data, uint at) {
+                                             global const TargetConstants* targets, global const float* mesh_data,
+                                             uint at) {
   PreciseVertices vertices;
   FOR_THREE(c) {
     const float16 pivot = precise->pivot[c];
@@ -41,8 +42,10 @@ static inline float16 precise_row(global const float* row, global const float* r
   return sum.high;
 }
 
-COMPILED_ONCE PreciseVertices two_float_vertices(global const DrawConstants* draw, global const PreciseConstants* precise,
-                                                 global const TargetConstants* targets, global const float* mesh_data, uint at) {
+COMPILED_ONCE PreciseVertices two_float_vertices(global const DrawConstants* draw,
+                                                 global const PreciseConstants* precise,
+                                                 global const TargetConstants* targets, global const float* mesh_data,
+                                                 uint at) {
   const float16 zero = 0.0f;
   TwoFloats position[3];
   PreciseVertices vertices;
@@ -68,8 +71,8 @@ COMPILED_ONCE PreciseVertices two_float_vertices(global const DrawConstants* dra
 
 // The morphed positions of 16 vertices, in the form that the draw asks for, and their clip coordinates.
 ALWAYS_INLINE ClipPoints clip_points(global const DrawConstants* draw, global const PreciseConstants* precise,
-                                     global const TargetConstants* targets, global const float* mesh_data, uint at, float16* x,
-                                     float16* y, float16* z) {
+                                     global const TargetConstants* targets, global const float* mesh_data, uint at,
+                                     float16* x, float16* y, float16* z) {
   if (draw->flags & (DRAW_PIVOT | DRAW_TWO_FLOAT)) {
     global const PreciseConstants* own = &precise[draw->precise];
     const PreciseVertices vertices = draw->flags & DRAW_PIVOT ? pivot_vertices(draw, own, targets, mesh_data, at)
@@ -80,7 +83,8 @@ ALWAYS_INLINE ClipPoints clip_points(global const DrawConstants* draw, global co
     return vertices.clip;
   }
   float16 px, py, pz;
-  MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, px, py, pz)
+  MORPH_3(mesh_data, draw->positions, draw->pitch, at, targets, draw->first_target, draw->target_count, positions, px,
+          py, pz)
   *x = px;
   *y = py;
   *z = pz;

@@ -1,5 +1,6 @@
 #pragma OPENCL FP_CONTRACT OFF
-// project_vertices: one work-item projects one of the changed chunks of vertices. In, out and steps: project_vertices.h.
+// project_vertices: one work-item projects one of the changed chunks of vertices. In, out and steps:
+// project_vertices.h.
 
 #include "project_vertices.h"
 

@@ -1,28 +1,30 @@
 // project_vertices: morph, transform and snap vertices, and make the attributes that shading needs.
 //
-// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the numbers
-//      of the chunks that changed since the frame before.
+// In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the
+//      numbers of the chunks that changed since the frame before.
 // Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w};
 //                    {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
 //      colors[i]     float4: vertex colour after its deltas, clamped to [0, 1]
 //      vertex_chunk_status[chunk] not 0 when a vertex of the chunk needs clipping
 // Steps, 16 vertices at a time: 1 morph the position, 2 to clip space, 3 outcode, 4 snap, 5 attributes.
-// One work-item walks a chunk of VERTEX_GROUPS_PER_CHUNK vertex groups. Where w is 1 everywhere nothing is divided, with the same result.
+// One work-item walks a chunk of VERTEX_GROUPS_PER_CHUNK vertex groups. Where w is 1 everywhere nothing is divided,
+// with the same result.
 
 #ifndef MORPHCL_PROJECT_VERTICES_H
 #define MORPHCL_PROJECT_VERTICES_H
 
-#include "layout.h"
-#include "vector.h"
-#include "vertex.h"
 #include "depth_format.h"
-#include "two_float.h"
+#include "layout.h"
 #include "precise_vertices.h"
 #include "tables.h"
+#include "two_float.h"
+#include "vector.h"
+#include "vertex.h"
 
 // Unit length; a normal that morphing cancelled (shorter than 2^-10) is replaced by the fallback.
-static inline void normalize_or(float16* x, float16* y, float16* z, float16 fallback_x, float16 fallback_y, float16 fallback_z) {
+static inline void normalize_or(float16* x, float16* y, float16* z, float16 fallback_x, float16 fallback_y,
+                                float16 fallback_z) {
   const float16 square = fma(*x, *x, fma(*y, *y, *z * *z));
   const int16 usable = square >= MIN_NORMAL_SQUARE;
   *x = select(fallback_x, *x, usable);
@@ -34,7 +36,8 @@ static inline void store_normals(global const DrawConstants* draw, global const 
                                  global const float* mesh_data, uint at, global int4* out) {
   float16 x, y, z;
   MORPH_3(mesh_data, draw->normals, draw->pitch, at, targets, draw->first_target, draw->target_count, normals, x, y, z)
-  normalize_or(&x, &y, &z, vload16(0, mesh_data + draw->normals + at), vload16(0, mesh_data + draw->normals + draw->pitch + at),
+  normalize_or(&x, &y, &z, vload16(0, mesh_data + draw->normals + at),
+               vload16(0, mesh_data + draw->normals + draw->pitch + at),
                vload16(0, mesh_data + draw->normals + 2 * draw->pitch + at));
   const float16 eye_x = row_times_vector(draw->normal_to_eye[0], x, y, z);
   const float16 eye_y = row_times_vector(draw->normal_to_eye[1], x, y, z);
@@ -60,10 +63,9 @@ static inline float16 morphed_color_plane(global const DrawConstants* draw, glob
 
 COMPILED_ONCE void project_chunk(uint item, global const FrameConstants* restrict frame,
                                  global const DrawConstants* restrict draws,
-                                 global const TargetConstants* restrict targets,
-                                 global const float* restrict mesh_data, global int4* restrict vertices,
-                                 global int4* restrict attributes, global int4* restrict colors,
-                                 global BinsHeader* restrict bins) {
+                                 global const TargetConstants* restrict targets, global const float* restrict mesh_data,
+                                 global int4* restrict vertices, global int4* restrict attributes,
+                                 global int4* restrict colors, global BinsHeader* restrict bins) {
   const uint chunk = changed_vertex_chunks(frame)[item];
   const uint end = min((chunk + 1) * VERTEX_GROUPS_PER_CHUNK, frame->vertex_group_count);
   int16 any_outside = 0;

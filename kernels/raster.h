@@ -10,10 +10,10 @@
 
 // First and last pixel whose centre lies in [low, high] sub-pixels.
 #define FIRST_PIXEL(low) (((low) + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS)
-#define LAST_PIXEL(high) (((high)-HALF_PIXEL) >> SUBPIXEL_BITS)
+#define LAST_PIXEL(high) (((high) - HALF_PIXEL) >> SUBPIXEL_BITS)
 
-// Where the next entry of a tile goes. A chunk keeps, for every tile, a list of pages of PAGE entries; page 0 stands for
-// "none". heads[tile] is the index behind the tile's newest entry, next[page] the page filled before it (layout.h).
+// Where the next entry of a tile goes. A chunk keeps, for every tile, a list of pages of PAGE entries; page 0 stands
+// for "none". heads[tile] is the index behind the tile's newest entry, next[page] the page filled before it (layout.h).
 typedef struct {
   global uint* heads;
   global uint* next;

@@ -1,8 +1,8 @@
 // The colour of 16 pixels of a row whose visible primitives are known: interpolation and light.
 //
-// Attributes are interpolated with perspective-correct weights: for corner i, the doubled area opposite to it at the pixel
-// centre times 1 / w. A triangle that clipping cut has its weights at the cut corners turned into weights at the source
-// triangle's vertices, so attributes are always those of the mesh.
+// Attributes are interpolated with perspective-correct weights: for corner i, the doubled area opposite to it at the
+// pixel centre times 1 / w. A triangle that clipping cut has its weights at the cut corners turned into weights at the
+// source triangle's vertices, so attributes are always those of the mesh.
 
 #ifndef MORPHCL_SHADE_H
 #define MORPHCL_SHADE_H
@@ -32,17 +32,17 @@ typedef struct {
 // What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
 typedef struct {
   global const DrawConstants* draw;
-  Rgb color;       // base colour times the face's light
-  int16 x[3], y[3];       // corners on the screen, sub-pixels
+  Rgb color;         // base colour times the face's light
+  int16 x[3], y[3];  // corners on the screen, sub-pixels
   float16 inverse_w[3];
 #ifdef FORWARD_DEPTH
-  float16 distance[3];    // of the corners
+  float16 distance[3];  // of the corners
 #endif
-  EyeVector normal[3];    // at the mesh's vertices; smooth draws
-  Rgb tint[3];     // vertex colours
-  bool any_cut;           // some lane's corners are those that clipping left;
-  int16 is_cut;           // their weights at the mesh's vertices:
-  float16 cut[3][3];      // [corner][vertex]
+  EyeVector normal[3];  // at the mesh's vertices; smooth draws
+  Rgb tint[3];          // vertex colours
+  bool any_cut;         // some lane's corners are those that clipping left;
+  int16 is_cut;         // their weights at the mesh's vertices:
+  float16 cut[3][3];    // [corner][vertex]
 } Surface;
 
 // Perspective-correct weights of the mesh's vertices, not divided by their sum; all have the sign of the triangle's
@@ -61,7 +61,8 @@ ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 d
 // ---- what is gathered -----------------------------------------------------------------------------------------------
 
 // Record index[0] in all lanes, or record index[lane] in each.
-ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2, int16* f3) {
+ALWAYS_INLINE void fetch(global const int4* records, const uint* index, bool same, int16* f0, int16* f1, int16* f2,
+                         int16* f3) {
   if (same) {
     const int4 record = records[index[0]];
     *f0 = record.x;
@@ -107,11 +108,12 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner
   if (!surface->any_cut) return;
   surface->is_cut = same ? (int16)(is_cut[0]) : vload16(0, is_cut);
   FOR_THREE(i)
-    FOR_THREE(v) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
+  FOR_THREE(v) surface->cut[i][v] = same ? (float16)(cut[i][v][0]) : vload16(0, cut[i][v]);
 }
 
 // The ids (the first alone when `same`) all belong to the draw.
-ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, Lanes id, bool same, Surface* surface) {
+ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* draw, Lanes id, bool same,
+                                  Surface* surface) {
   surface->draw = draw;
   surface->color.r = draw->base_color[0];
   surface->color.g = draw->base_color[1];
@@ -128,10 +130,9 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
 
   uint vertex[3][LANES], corner[3][LANES];
   const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
-  for (int lane = 0; lane < (same ? 1 : LANES); lane++)
-    FOR_THREE(i)
-      corner[i][lane] = vertex[i][lane] =
-          first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> 3) - first_number)];
+  for (int lane = 0; lane < (same ? 1 : LANES); lane++) FOR_THREE(i)
+  corner[i][lane] = vertex[i][lane] =
+      first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> 3) - first_number)];
   gather_cuts(s, id, same, corner, surface);
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
@@ -140,15 +141,13 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
     surface->distance[i] = as_float16(f1);
 #endif
   }
-  if (draw->flags & DRAW_SMOOTH)
-    FOR_THREE(i) {
+  if (draw->flags & DRAW_SMOOTH) FOR_THREE(i) {
       fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->normal[i].x = as_float16(f0);
       surface->normal[i].y = as_float16(f1);
       surface->normal[i].z = as_float16(f2);
     }
-  if (draw->flags & DRAW_VERTEX_COLORS)
-    FOR_THREE(i) {
+  if (draw->flags & DRAW_VERTEX_COLORS) FOR_THREE(i) {
       fetch(s->colors, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->tint[i].r = as_float16(f0);
       surface->tint[i].g = as_float16(f1);
@@ -173,10 +172,10 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
   w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
   w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
-  if (!s->frame->camera.parallel)
-    FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
+  if (!s->frame->camera.parallel) FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
 #ifdef FORWARD_DEPTH
-  w.distance = weighted(w, surface->distance[0], surface->distance[1], surface->distance[2]) / (w.vertex[0] + w.vertex[1] + w.vertex[2]);
+  w.distance = weighted(w, surface->distance[0], surface->distance[1], surface->distance[2]) /
+               (w.vertex[0] + w.vertex[1] + w.vertex[2]);
 #endif
   if (surface->any_cut) {
     const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
@@ -242,7 +241,9 @@ ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels 
   return color;
 }
 
-ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) { return &s->draws[s->draw_of_group[id / (8 * LANES)]]; }
+ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
+  return &s->draws[s->draw_of_group[id / (8 * LANES)]];
+}
 
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
 ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
@@ -263,7 +264,8 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
   while (any_lane(waiting)) {
     const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);
-    const uint low = draw->first_primitive_group * (8 * LANES), high = low + (draw->primitive_group_count * (8 * LANES) - 1);
+    const uint low = draw->first_primitive_group * (8 * LANES),
+               high = low + (draw->primitive_group_count * (8 * LANES) - 1);
     const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
     gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);

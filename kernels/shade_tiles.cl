@@ -2,25 +2,25 @@
 // shade_tiles: what is visible at each pixel, its colour and its distance.
 //
 // In:  the chunks' bins, vertices, attributes, colours, face colours, clipped primitives, draws, lights.
-// Out: the picture: rows of half R, G, B, A (premultiplied), of float Z, and of notes, row_bytes from one to the next. The
-//      notes of a row of tiles stand in its first row, a uint a tile: bit b is set when block b of the tile holds the
-//      background, for the next frame to leave as it is.
-// Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle that
-//   covers a block in front of all it holds replaces the block by a note (hierarchical depth); 4 shade each visible
-//   sample once, 16 pixels of a row at a time, and store.
-// A sample keeps the maximum of depth, of equal ones the lowest id, so the order of merging does not matter. Where the plan
-// proved that no sample is covered twice, samples are placed without being compared.
-// One work-item draws a tile. A launch draws a band of the picture, whole rows of tiles: its first work-item has the number
-// of the first tile, and `picture` begins with that tile's first row.
+// Out: the picture: rows of half R, G, B, A (premultiplied), of float Z, and of notes, row_bytes from one to the next.
+//      The notes of a row of tiles stand in its first row, a uint a tile: bit b is set when block b of the tile holds
+//      the background, for the next frame to leave as it is.
+// Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle
+//   that covers a block in front of all it holds replaces the block by a note (hierarchical depth); 4 shade each
+//   visible sample once, 16 pixels of a row at a time, and store.
+// A sample keeps the maximum of depth, of equal ones the lowest id, so the order of merging does not matter. Where the
+// plan proved that no sample is covered twice, samples are placed without being compared.
+// One work-item draws a tile. A launch draws a band of the picture, whole rows of tiles: its first work-item has the
+// number of the first tile, and `picture` begins with that tile's first row.
 
-#include "layout.h"
-#include "vector.h"
-#include "raster.h"
 #include "depth_format.h"
+#include "layout.h"
+#include "light.h"
+#include "raster.h"
+#include "shade.h"
 #include "tables.h"
 #include "tile.h"
-#include "light.h"
-#include "shade.h"
+#include "vector.h"
 
 // ---- pixels ---------------------------------------------------------------------------------------------------------
 
@@ -44,8 +44,8 @@ ALWAYS_INLINE TilePixels pixels_of_tile(global const FrameConstants* frame, glob
   return pixels;
 }
 
-// Sixteen halves, rounded to nearest even. Where the processor converts a whole vector it is asked to: vstore_half16 goes
-// by halves of vectors.
+// Sixteen halves, rounded to nearest even. Where the processor converts a whole vector it is asked to: vstore_half16
+// goes by halves of vectors.
 ALWAYS_INLINE ushort16 to_halves(float16 value) {
 #if defined(MORPHCL_POCL) && defined(__AVX512F__)
   typedef _Float16 Halves __attribute__((ext_vector_type(16)));
@@ -109,7 +109,8 @@ ALWAYS_INLINE Rgb color_of_primitive(const Shader* s, Column* column, uint id, P
 }
 
 // One row of a block: stores its distances and returns its colours.
-ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row, TilePixels pixels) {
+ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row,
+                                          TilePixels pixels) {
   Pixels p;
   p.x = tile.x + first;
   p.y = tile.y + row;
@@ -124,7 +125,8 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
       const int16 background = ids == NO_ID;
       if (s->frame->writes_color) color = mixed_color(s, p, ids);
       alpha = select((float16)1.0f, (float16)0.0f, background);
-      distance = select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
+      distance =
+          select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
     } else if (first_id != NO_ID) {
       if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
       alpha = 1.0f;
@@ -251,8 +253,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
       for (int i = 0; i < TILE / TILE_BLOCK; i++) {
         if (left_as_it_is >> (first_block + (i & ~1)) & 1u) continue;
         const RowColor color = shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, pixels);
-        if (i & 1 && frame->writes_color)
-          store_colors(left, color, pixels, (i - 1) * TILE_BLOCK, row);
+        if (i & 1 && frame->writes_color) store_colors(left, color, pixels, (i - 1) * TILE_BLOCK, row);
         left = color;
       }
   }

@@ -19,8 +19,8 @@ ALWAYS_INLINE global const PreciseConstants* precise_constants(global const Fram
   return (global const PreciseConstants*)((global const uint*)frame + frame->precise);
 }
 
-// Index of the draw that a group of vertices or of primitives belongs to, and of the one that is binned at a place in the
-// order of binning.
+// Index of the draw that a group of vertices or of primitives belongs to, and of the one that is binned at a place in
+// the order of binning.
 ALWAYS_INLINE global const uint* draw_of_vertex_group(global const DrawConstants* draws,
                                                       global const FrameConstants* frame) {
   return (global const uint*)draws + frame->draw_of_vertex_group;
@@ -53,14 +53,14 @@ ALWAYS_INLINE global uint* vertex_chunk_status(global BinsHeader* bins, global c
   return (global uint*)((global char*)bins + frame->bins.vertex_chunk_status);
 }
 
-// What one chunk puts into its bins, and the tiles take out of them: lists of fragments {depth, id, place in the tile} and
-// of entries, one a large triangle and tile.
+// What one chunk puts into its bins, and the tiles take out of them: lists of fragments {depth, id, place in the tile}
+// and of entries, one a large triangle and tile.
 typedef struct {
   global uint *fragment_heads, *fragment_next;
   global ulong* fragment_keys;     // bits of depth << 32 | id
   global ushort* fragment_places;  // row << 6 | column in the tile
   global uint *entry_heads, *entry_next;
-  global uint* entry_triangles;    // index into the chunk's large triangles, perhaps with ENTIRE_TILE
+  global uint* entry_triangles;  // index into the chunk's large triangles, perhaps with ENTIRE_TILE
   global LargeTriangle* large;
 } ChunkBins;
 

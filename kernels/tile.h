@@ -16,8 +16,8 @@
 #define CLEAR NO_ID            // a block that nothing touched
 #define PER_PIXEL (NO_ID - 1)  // a block whose samples stand in the tile's planes; else a block is one large triangle
 
-// Where a tile's samples are while it is drawn. A CPU's local memory is memory like any other; and PoCL 3.1 gives a local
-// array that a kernel declares to all threads at once.
+// Where a tile's samples are while it is drawn. A CPU's local memory is memory like any other; and PoCL 3.1 gives a
+// local array that a kernel declares to all threads at once.
 #ifdef MORPHCL_POCL
 #define TILE_MEMORY private
 #else
@@ -37,7 +37,7 @@ typedef struct {
 #define BLOCK_Y ((int16)(0, 0, 0, 0, 16, 16, 16, 16, 32, 32, 32, 32, 48, 48, 48, 48))
 
 typedef struct {
-  uint16 content;        // CLEAR, PER_PIXEL or the index of a large triangle
+  uint16 content;   // CLEAR, PER_PIXEL or the index of a large triangle
   Depths min, max;  // depths in the block
 } Blocks;
 
@@ -101,7 +101,8 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large, Depth background) {
+static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large,
+                                   Depth background) {
   if (content == CLEAR) {
     for (int y = row; y < row + TILE_BLOCK; y++) {
       tile.depth[y * ROW_VECTORS + column / LANES] = background;
@@ -131,14 +132,15 @@ static inline TileBox box_of(global const LargeTriangle* t, Tile tile) {
   return box;
 }
 
-// A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel and its change to the right and
-// downwards; at least 0 inside. They fit 32 bits where the edge crosses the tile; where it does not, it is replaced by one
-// that all samples pass.
+// A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel and its change to the right
+// and downwards; at least 0 inside. They fit 32 bits where the edge crosses the tile; where it does not, it is replaced
+// by one that all samples pass.
 typedef struct {
   int value[3], step_x[3], step_y[3];
 } TileEdges;
 
-static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile, TileEdges* edges, int16* misses, int16* covers) {
+static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile, TileEdges* edges, int16* misses,
+                                       int16* covers) {
   const int px = tile.x * SUBPIXELS + HALF_PIXEL, py = tile.y * SUBPIXELS + HALF_PIXEL;
   const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};
   const int vx[3] = {t->ax, t->ax + t->d1x, t->ax + t->d2x}, vy[3] = {t->ay, t->ay + t->d1y, t->ay + t->d2y};
@@ -158,10 +160,10 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
   }
 }
 
-// Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is held
-// or, without a depth test, all that it covers. Returns the least depth held there then.
-ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner, int column,
-                                  int first, int last, bool tests_depth) {
+// Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is
+// held or, without a depth test, all that it covers. Returns the least depth held there then.
+ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner,
+                                  int column, int first, int last, bool tests_depth) {
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
   const uint id = t->id;
@@ -181,9 +183,9 @@ ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global cons
   return min_held;
 }
 
-static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges, global const LargeTriangle* large,
-                                  global const LargeTriangle* t, TileBox box, TileDepth corner, Depth background,
-                                  bool tests_depth) {
+static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges,
+                                  global const LargeTriangle* large, global const LargeTriangle* t, TileBox box,
+                                  TileDepth corner, Depth background, bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
     const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
@@ -199,14 +201,17 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
   blocks->content = select(blocks->content, (uint16)(PER_PIXEL), as_uint16(partly));
 }
 
-static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, Depth background) {
+static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry,
+                                        Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
   global const LargeTriangle* t = &large[number];
   const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
   // The part of each block that lies in the triangle's box, and the depths at its corners.
   const TileBox box = box_of(t, tile);
-  const int16 left = max(BLOCK_X, (int16)(box.first_column)), right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
-  const int16 top = max(BLOCK_Y, (int16)(box.first_row)), bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
+  const int16 left = max(BLOCK_X, (int16)(box.first_column)),
+              right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
+  const int16 top = max(BLOCK_Y, (int16)(box.first_row)),
+              bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
   const DepthBounds depth = depth_bounds(t, corner, left, right, top, bottom);
   int16 misses = (left > right) | (top > bottom) | (depth.max < blocks->min), covers = is_in_range(t) ? -1 : 0;
   if (!any_lane(~misses)) return;
@@ -224,7 +229,8 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, background, true);
 }
 
-static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry, Depth background) {
+static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry,
+                                        Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
   if (entry & ENTIRE_TILE) {
     blocks->content = number;
@@ -237,7 +243,8 @@ static inline void place_large_triangle(Tile tile, Blocks* blocks, global const 
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(covers));
   const int16 partly = ~misses & ~covers;
   if (any_lane(partly))
-    draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), depth_of_tile(t, tile.x, tile.y), background, false);
+    draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), depth_of_tile(t, tile.x, tile.y),
+                   background, false);
 }
 
 #endif

@@ -198,21 +198,19 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
 // ---- kernels ----
 
 // Each layout: parameters, their names, and the two as structs.
-#define ARRAYS_PARAMETERS \
-  global const real *x, global const real *y, global const real *z, global real *out_x, global real *out_y, global real *out_z
+#define ARRAYS_PARAMETERS                                                                                   \
+  global const real *x, global const real *y, global const real *z, global real *out_x, global real *out_y, \
+      global real *out_z
 #define ARRAYS_NAMES x, y, z, out_x, out_y, out_z
-#define ARRAYS_SOURCE \
-  { x, y, z }
-#define ARRAYS_TARGET                                                                             \
-  { out_x, out_y, out_z,                                                                          \
-    constants.stream_stores != 0 && is_cache_line(out_x) && is_cache_line(out_y) && is_cache_line(out_z) }
+#define ARRAYS_SOURCE {x, y, z}
+#define ARRAYS_TARGET   \
+  {out_x, out_y, out_z, \
+   constants.stream_stores != 0 && is_cache_line(out_x) && is_cache_line(out_y) && is_cache_line(out_z)}
 
 #define RECORDS_PARAMETERS global const real *records, global real *out
 #define RECORDS_NAMES records, out
-#define RECORDS_SOURCE \
-  { records, 0, 0 }
-#define RECORDS_TARGET \
-  { out, 0, 0, constants.stream_stores != 0 && is_cache_line(out) }
+#define RECORDS_SOURCE {records, 0, 0}
+#define RECORDS_TARGET {out, 0, 0, constants.stream_stores != 0 && is_cache_line(out)}
 
 // Each way to choose matrices: parameters, their names, and what becomes of a group v.
 #define ONE_PARAMETERS
@@ -223,28 +221,30 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
 #define INDEX_NAMES bad_index, index,
 #define INDEX_TRANSFORM(v) transform_indexed(rows, constants.matrix_count, kind, v, index + at, lanes, bad_index)
 
-#define BLEND_PARAMETERS global uint *bad_index, global const ulong *restrict influence, global const real *restrict weight,
+#define BLEND_PARAMETERS \
+  global uint *bad_index, global const ulong *restrict influence, global const real *restrict weight,
 #define BLEND_NAMES bad_index, influence, weight,
 #define BLEND_TRANSFORM(v) \
   transform_blended(rows, constants.matrix_count, kind, v, influence, weight, at, lanes, bad_index)
 
-#define TRANSFORM_KERNEL(NAME, LAYOUT, VERTICES, CHOICE)                                                              \
-  COMPILED_ONCE void NAME##_of_item(ulong item, TransformConstants constants, global const real4* restrict rows,      \
-                                    CHOICE##_PARAMETERS VERTICES##_PARAMETERS) {                                      \
-    const Source in = VERTICES##_SOURCE;                                                                              \
-    const Target to = VERTICES##_TARGET;                                                                              \
-    const ulong count = constants.count, run_length = constants.run_length;                                           \
-    const uint kind = constants.kind;                                                                                 \
-    const ulong begin = item * run_length * constants.runs, end = min(begin + run_length * constants.runs, count);    \
-    for (ulong done = 0; done < run_length; done += 16)                                                               \
-      for (ulong at = begin + done; at < end; at += run_length) {                                                     \
-        const long lanes = count - at;                                                                                \
-        const Vertices v = load_##LAYOUT(in, at, lanes);                                                              \
-        store_##LAYOUT(CHOICE##_TRANSFORM(v), to, at, lanes);                                                         \
-      }                                                                                                               \
-  }                                                                                                                   \
-  kernel void NAME(TransformConstants constants, global const real4* rows, CHOICE##_PARAMETERS VERTICES##_PARAMETERS) { \
-    NAME##_of_item(get_global_id(0), constants, rows, CHOICE##_NAMES VERTICES##_NAMES);                               \
+#define TRANSFORM_KERNEL(NAME, LAYOUT, VERTICES, CHOICE)                                                           \
+  COMPILED_ONCE void NAME##_of_item(ulong item, TransformConstants constants, global const real4* restrict rows,   \
+                                    CHOICE##_PARAMETERS VERTICES##_PARAMETERS) {                                   \
+    const Source in = VERTICES##_SOURCE;                                                                           \
+    const Target to = VERTICES##_TARGET;                                                                           \
+    const ulong count = constants.count, run_length = constants.run_length;                                        \
+    const uint kind = constants.kind;                                                                              \
+    const ulong begin = item * run_length * constants.runs, end = min(begin + run_length * constants.runs, count); \
+    for (ulong done = 0; done < run_length; done += 16)                                                            \
+      for (ulong at = begin + done; at < end; at += run_length) {                                                  \
+        const long lanes = count - at;                                                                             \
+        const Vertices v = load_##LAYOUT(in, at, lanes);                                                           \
+        store_##LAYOUT(CHOICE##_TRANSFORM(v), to, at, lanes);                                                      \
+      }                                                                                                            \
+  }                                                                                                                \
+  kernel void NAME(TransformConstants constants, global const real4* rows,                                         \
+                   CHOICE##_PARAMETERS VERTICES##_PARAMETERS) {                                                    \
+    NAME##_of_item(get_global_id(0), constants, rows, CHOICE##_NAMES VERTICES##_NAMES);                            \
   }
 
 TRANSFORM_KERNEL(transform_separate, separate, ARRAYS, ONE)

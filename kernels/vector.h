@@ -64,9 +64,9 @@ static inline ulong2 without_lowest_lane(ulong2 bytes) {
 static inline int first_lane(int16 mask) { return lowest_of_lanes(mask_bytes(mask)); }
 
 // for (lane of the mask, ascending). The inner loop runs once: it gives the lane its name.
-#define FOR_EACH_LANE(lane, mask)                                                                       \
-  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0;                  \
-       lane##_bytes = without_lowest_lane(lane##_bytes))                                                \
+#define FOR_EACH_LANE(lane, mask)                                                      \
+  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0; \
+       lane##_bytes = without_lowest_lane(lane##_bytes))                               \
     for (int lane = lowest_of_lanes(lane##_bytes), lane##_once = 1; lane##_once; lane##_once = 0)
 
 static inline float reduce_min(float16 v) {
@@ -84,15 +84,16 @@ static inline float reduce_max(float16 v) {
 
 // Sixteen records of four words, by index, as four vectors of one field each. Records are fetched whole and transposed,
 // which is several times faster than sixteen gathers a field.
-#define RECORDS_OF_4(records, index, i) (int16)(records[index[i]], records[index[i + 1]], records[index[i + 2]], records[index[i + 3]])
-#define GATHER_RECORDS(records, index, field0, field1, field2, field3)                                   \
-  {                                                                                                      \
-    const int16 r0 = RECORDS_OF_4(records, index, 0), r1 = RECORDS_OF_4(records, index, 4);              \
-    const int16 r2 = RECORDS_OF_4(records, index, 8), r3 = RECORDS_OF_4(records, index, 12);             \
-    field0 = (int16)(r0.s048c, r1.s048c, r2.s048c, r3.s048c);                                            \
-    field1 = (int16)(r0.s159d, r1.s159d, r2.s159d, r3.s159d);                                            \
-    field2 = (int16)(r0.s26ae, r1.s26ae, r2.s26ae, r3.s26ae);                                            \
-    field3 = (int16)(r0.s37bf, r1.s37bf, r2.s37bf, r3.s37bf);                                            \
+#define RECORDS_OF_4(records, index, i) \
+  (int16)(records[index[i]], records[index[i + 1]], records[index[i + 2]], records[index[i + 3]])
+#define GATHER_RECORDS(records, index, field0, field1, field2, field3)                       \
+  {                                                                                          \
+    const int16 r0 = RECORDS_OF_4(records, index, 0), r1 = RECORDS_OF_4(records, index, 4);  \
+    const int16 r2 = RECORDS_OF_4(records, index, 8), r3 = RECORDS_OF_4(records, index, 12); \
+    field0 = (int16)(r0.s048c, r1.s048c, r2.s048c, r3.s048c);                                \
+    field1 = (int16)(r0.s159d, r1.s159d, r2.s159d, r3.s159d);                                \
+    field2 = (int16)(r0.s26ae, r1.s26ae, r2.s26ae, r3.s26ae);                                \
+    field3 = (int16)(r0.s37bf, r1.s37bf, r2.s37bf, r3.s37bf);                                \
   }
 
 // A store that does not displace what the cache holds, for results that no kernel reads soon.
@@ -110,9 +111,9 @@ static inline float reduce_max(float16 v) {
 #endif
 
 // The inverse of GATHER_RECORDS for consecutive records: fields in, sixteen records of four words out.
-#define INTERLEAVE_4(f0, f1, f2, f3, a, b, c, d)                                                         \
-  (int16)(f0.s##a, f1.s##a, f2.s##a, f3.s##a, f0.s##b, f1.s##b, f2.s##b, f3.s##b, f0.s##c, f1.s##c,      \
-          f2.s##c, f3.s##c, f0.s##d, f1.s##d, f2.s##d, f3.s##d)
+#define INTERLEAVE_4(f0, f1, f2, f3, a, b, c, d)                                                                      \
+  (int16)(f0.s##a, f1.s##a, f2.s##a, f3.s##a, f0.s##b, f1.s##b, f2.s##b, f3.s##b, f0.s##c, f1.s##c, f2.s##c, f3.s##c, \
+          f0.s##d, f1.s##d, f2.s##d, f3.s##d)
 static inline void store_records(int16 f0, int16 f1, int16 f2, int16 f3, global int4* out) {
   vstore16(INTERLEAVE_4(f0, f1, f2, f3, 0, 1, 2, 3), 0, (global int*)out);
   vstore16(INTERLEAVE_4(f0, f1, f2, f3, 4, 5, 6, 7), 1, (global int*)out);

@@ -18,22 +18,22 @@ typedef struct {
 
 // Three planes of one morphed attribute of 16 vertices: base, then each active target that has the attribute.
 //   p <- fma(weight, target, fma(base_weight, base, p))
-#define MORPH_3(mesh_data, base_offset, pitch, at, targets, first, count, ATTRIBUTE, x, y, z)                          \
-  {                                                                                                                    \
-    const float16 base_x = vload16(0, mesh_data + base_offset + at);                                                   \
-    const float16 base_y = vload16(0, mesh_data + base_offset + pitch + at);                                           \
-    const float16 base_z = vload16(0, mesh_data + base_offset + 2 * pitch + at);                                       \
-    x = base_x;                                                                                                        \
-    y = base_y;                                                                                                        \
-    z = base_z;                                                                                                        \
-    for (uint k = 0; k < count; k++) {                                                                                 \
-      const uint plane = targets[first + k].ATTRIBUTE;                                                                 \
-      if (plane == NO_ID) continue;                                                                                    \
-      const float16 weight = targets[first + k].weight, base_weight = targets[first + k].base_weight;                  \
-      x = fma(weight, vload16(0, mesh_data + plane + at), fma(base_weight, base_x, x));                                \
-      y = fma(weight, vload16(0, mesh_data + plane + pitch + at), fma(base_weight, base_y, y));                        \
-      z = fma(weight, vload16(0, mesh_data + plane + 2 * pitch + at), fma(base_weight, base_z, z));                    \
-    }                                                                                                                  \
+#define MORPH_3(mesh_data, base_offset, pitch, at, targets, first, count, ATTRIBUTE, x, y, z)         \
+  {                                                                                                   \
+    const float16 base_x = vload16(0, mesh_data + base_offset + at);                                  \
+    const float16 base_y = vload16(0, mesh_data + base_offset + pitch + at);                          \
+    const float16 base_z = vload16(0, mesh_data + base_offset + 2 * pitch + at);                      \
+    x = base_x;                                                                                       \
+    y = base_y;                                                                                       \
+    z = base_z;                                                                                       \
+    for (uint k = 0; k < count; k++) {                                                                \
+      const uint plane = targets[first + k].ATTRIBUTE;                                                \
+      if (plane == NO_ID) continue;                                                                   \
+      const float16 weight = targets[first + k].weight, base_weight = targets[first + k].base_weight; \
+      x = fma(weight, vload16(0, mesh_data + plane + at), fma(base_weight, base_x, x));               \
+      y = fma(weight, vload16(0, mesh_data + plane + pitch + at), fma(base_weight, base_y, y));       \
+      z = fma(weight, vload16(0, mesh_data + plane + 2 * pitch + at), fma(base_weight, base_z, z));   \
+    }                                                                                                 \
   }
 
 static inline ClipPoints to_clip(global const DrawConstants* draw, float16 x, float16 y, float16 z) {
@@ -47,14 +47,15 @@ static inline ClipPoints to_clip(global const DrawConstants* draw, float16 x, fl
 
 // Positive in front of the near plane: w - near in perspective, near_depth - z in parallel projections.
 static inline float16 near_distance(float16 z, float16 w, global const FrameConstants* frame) {
-  return fma((float16)(frame->camera.near_plane[0]), z, fma((float16)(frame->camera.near_plane[1]), w, (float16)(frame->camera.near_plane[2])));
+  return fma((float16)(frame->camera.near_plane[0]), z,
+             fma((float16)(frame->camera.near_plane[1]), w, (float16)(frame->camera.near_plane[2])));
 }
 
 // Every test is positive, so a NaN fails all of them and counts as invalid.
 static inline int16 outcode(ClipPoints p, global const FrameConstants* frame) {
   const float16 limit_x = p.w * frame->guard_x, limit_y = p.w * frame->guard_y;
-  const int16 finite = (fabs(p.x) <= MAX_CLIP_COORDINATE) & (fabs(p.y) <= MAX_CLIP_COORDINATE) & (fabs(p.z) <= MAX_CLIP_COORDINATE) &
-                       (fabs(p.w) <= MAX_CLIP_COORDINATE);
+  const int16 finite = (fabs(p.x) <= MAX_CLIP_COORDINATE) & (fabs(p.y) <= MAX_CLIP_COORDINATE) &
+                       (fabs(p.z) <= MAX_CLIP_COORDINATE) & (fabs(p.w) <= MAX_CLIP_COORDINATE);
   int16 code = ~(near_distance(p.z, p.w, frame) >= 0.0f) & OUT_NEAR;
   code |= ~(p.x >= -limit_x) & OUT_LEFT;
   code |= ~(p.x <= limit_x) & OUT_RIGHT;
@@ -74,8 +75,8 @@ static inline int16 round_to_grid(float16 product, float16 product_rest, float16
 }
 
 // round(v / w * scale + offset), ties to even, as if the quotient, product and sum had about 45 bits: the quotient's
-// remainder and the errors of product and sum are carried along (two-float arithmetic), so a vertex is snapped to another
-// sub-pixel than the exact one only within 2^-24 of a tie. |result| <= 2^23.
+// remainder and the errors of product and sum are carried along (two-float arithmetic), so a vertex is snapped to
+// another sub-pixel than the exact one only within 2^-24 of a tie. |result| <= 2^23.
 static inline int16 snap(float16 v, float16 w, float scale, float offset) {
   const float16 scales = scale;
   const float16 quotient = v / w;

@@ -12,7 +12,7 @@ namespace morphcl {
 namespace {
 
 // Row numbers are 32 bits wide in the kernels.
-constexpr std::size_t most_matrices = std::size_t{1} << 28;
+constexpr std::size_t max_matrices = std::size_t{1} << 28;
 
 Error bad_matrix(std::size_t vertex, std::size_t asked, std::size_t matrix_count) {
   return usage_error(fmt::format("vertex {} asks for matrix {}, but there are {}; the last one is number {}", vertex,
@@ -30,8 +30,8 @@ AffineRows<Real> without_translation(AffineRows<Real> matrix) {
 
 template <class Real>
 Transform<Real>::Transform(TransformKind kind, std::size_t matrix_count) : kind_(kind) {
-  if (matrix_count == 0 || matrix_count > most_matrices)
-    throw usage_error(fmt::format("{} matrices for a batch; 1 to {} are possible", matrix_count, most_matrices));
+  if (matrix_count == 0 || matrix_count > max_matrices)
+    throw usage_error(fmt::format("{} matrices for a batch; 1 to {} are possible", matrix_count, max_matrices));
   rows_.reserve(matrix_count * rows_per_matrix());
 }
 

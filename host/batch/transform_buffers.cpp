@@ -161,7 +161,8 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
     const Kernel kernel = session.kernel(kernel_source(stage<Real>), kernel_name(in.layout, choice));
     const auto start = [&](const auto&... choosing) {
       const auto with = [&](const auto&... vertices) {
-        launch(session.queue(), kernel, global, local, Named{"constants", constants}, rows, choosing..., vertices...);
+        launch(session.queue(), kernel, global, local, Named{"constants", constants, "TransformConstants"}, rows,
+               choosing..., vertices...);
       };
       if (in.layout == VertexLayout::separate)
         with(BufferAs<X<Real>>(in.arrays[0]), BufferAs<Y<Real>>(in.arrays[1]), BufferAs<Z<Real>>(in.arrays[2]),

@@ -31,12 +31,12 @@ struct Exponent;
 template <>
 struct Exponent<float> {
   using Bits = std::int32_t;
-  static constexpr int fraction_bits = 23, largest_finite = 254;
+  static constexpr int fraction_bits = 23, max_finite = 254;
 };
 template <>
 struct Exponent<double> {
   using Bits = std::int64_t;
-  static constexpr int fraction_bits = 52, largest_finite = 2046;
+  static constexpr int fraction_bits = 52, max_finite = 2046;
 };
 
 template <class Real>
@@ -55,7 +55,7 @@ MORPHCL_INLINED Vector<Real> scale_to_one(Vector<Real> v) {
   using Bits = typename Exponent<Real>::Bits;
   const Real largest = larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
   const Bits exponent = std::bit_cast<Bits>(largest) >> Exponent<Real>::fraction_bits;
-  const Bits inverse = std::max<Bits>(Exponent<Real>::largest_finite - exponent, 1);
+  const Bits inverse = std::max<Bits>(Exponent<Real>::max_finite - exponent, 1);
   const Real factor = std::bit_cast<Real>(inverse << Exponent<Real>::fraction_bits);
   return {v.x * factor, v.y * factor, v.z * factor};
 }

@@ -88,9 +88,9 @@ std::size_t vertices_before_cache_line(const Vertices<Real>& out) {
 
 // The largest part of a batch of which every array is one allocation.
 template <class Real>
-std::size_t most_vertices_at_once(const DeviceInfo& device, const Vertices<Real>& out) {
+std::size_t max_vertices_at_once(const DeviceInfo& device, const Vertices<Real>& out) {
   const std::size_t bytes = std::max(out.stride(), std::size_t{4}) * sizeof(Real);  // a quadruple of weights
-  return std::max(device.largest_allocation / bytes / vertices_per_step, std::size_t{1}) * vertices_per_step;
+  return std::max(device.max_allocation / bytes / vertices_per_step, std::size_t{1}) * vertices_per_step;
 }
 
 // False if a vertex asked for a matrix that is not there.
@@ -122,9 +122,9 @@ void transform_all(Session& session, const Transform<Real>& transform, const Ver
   const MatrixChoice<Real> host_choice = part(choice, 0, on_host);
   transform_reference(transform, in.part(0, on_host), out.part(0, on_host), host_choice);
   bool all_found = true;
-  const std::size_t most = most_vertices_at_once(session.info(), out);
-  for (std::size_t first = on_host; first < count; first += most) {
-    const std::size_t size = std::min(most, count - first);
+  const std::size_t max_at_once = max_vertices_at_once(session.info(), out);
+  for (std::size_t first = on_host; first < count; first += max_at_once) {
+    const std::size_t size = std::min(max_at_once, count - first);
     all_found &=
         transform_part(session, transform, in.part(first, size), out.part(first, size), part(choice, first, size));
   }

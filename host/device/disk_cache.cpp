@@ -18,7 +18,7 @@ namespace {
 
 constexpr char magic[8] = {'m', 'o', 'r', 'p', 'h', 'c', 'l', 1};
 // A hundred times the largest program seen; what claims more is no work of ours.
-constexpr std::uint64_t most_content_bytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t max_content_bytes = std::uint64_t{256} << 20;
 
 struct Header {
   char magic[8];
@@ -98,7 +98,7 @@ std::optional<std::vector<unsigned char>> DiskCache::load(const CacheKey& key) c
   const File file(open(file_of(key).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return std::nullopt;
   const auto size = file.size();
-  if (!size || *size < sizeof(Header) || *size - sizeof(Header) > most_content_bytes) return std::nullopt;
+  if (!size || *size < sizeof(Header) || *size - sizeof(Header) > max_content_bytes) return std::nullopt;
   Header found;
   std::vector<unsigned char> content(*size - sizeof(Header));
   if (!file.read_all(&found, sizeof found) || !file.read_all(content.data(), content.size())) return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<std::vector<unsigned char>> DiskCache::load(const CacheKey& key) c
 }
 
 bool DiskCache::store(const CacheKey& key, std::span<const unsigned char> content) const {
-  if (!folder_ || content.size() > most_content_bytes) return false;
+  if (!folder_ || content.size() > max_content_bytes) return false;
   std::error_code failure;
   fs::create_directories(*folder_, failure);
   static std::atomic<unsigned> serial = 0;

@@ -23,23 +23,9 @@ template <class T>
 concept KernelValue =
     std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && !std::is_pointer_v<T> && !std::same_as<T, bool>;
 
-template <KernelValue T>
-struct Named {
-  std::string_view name;
-  T value;
-};
-
-template <class T>
-Named(std::string_view, T) -> Named<T>;
-
-struct LocalMemory {
-  std::string_view name;
-  std::size_t bytes;
-};
-
 namespace launch_detail {
 
-// As kernels spell it; "" of what only a kernel's source knows, structs above all.
+// As kernels spell it; "" of what only a kernel's source knows, structs.
 template <class T>
 constexpr std::string_view type_name() {
   if constexpr (std::same_as<T, cl_int>) return "int";
@@ -50,10 +36,36 @@ constexpr std::string_view type_name() {
   return "";
 }
 
+}  // namespace launch_detail
+
+// A value and the name of the kernel's argument that it is for; of a struct the name of its type in the kernel too.
+template <KernelValue T>
+struct Named {
+  static constexpr std::string_view known_type = launch_detail::type_name<T>();
+
+  Named(std::string_view argument, T its_value)
+    requires(!known_type.empty())
+      : name(argument), value(its_value), type(known_type) {}
+  Named(std::string_view argument, T its_value, std::string_view its_type)
+    requires(known_type.empty())
+      : name(argument), value(its_value), type(its_type) {}
+
+  std::string_view name;
+  T value;
+  std::string_view type;
+};
+
+struct LocalMemory {
+  std::string_view name;
+  std::size_t bytes;
+};
+
+namespace launch_detail {
+
 // What one argument is given: the memory behind `value`, or with no value that much local memory.
 struct Binding {
   std::string_view name;
-  std::string_view type;  // "": the kernel's own, which the size has to fit
+  std::string_view type;  // "": of local memory, which has none
   const void* value;
   std::size_t bytes;
 };
@@ -77,7 +89,7 @@ Binding binding(const T& buffer) {
 }
 template <class T>
 Binding binding(const Named<T>& named) {
-  return {named.name, type_name<T>(), &named.value, sizeof(T)};
+  return {named.name, named.type, &named.value, sizeof(T)};
 }
 inline Binding binding(const LocalMemory& memory) { return {memory.name, "", nullptr, memory.bytes}; }
 

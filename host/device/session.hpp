@@ -18,7 +18,7 @@ struct DeviceInfo {
   std::string name, vendor, driver_version, platform;
   bool is_cpu = false;
   unsigned compute_units = 0;
-  std::size_t global_memory = 0, largest_allocation = 0, local_memory = 0;
+  std::size_t global_memory = 0, max_allocation = 0, local_memory = 0;
   bool fp64 = false;
 };
 

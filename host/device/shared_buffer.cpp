@@ -31,7 +31,7 @@ std::size_t round_up(std::size_t bytes) {
   return bytes == 0 ? step : (bytes + step - 1) / step * step;
 }
 
-std::size_t largest_allocation(const cl::Context& context) {
+std::size_t max_allocation(const cl::Context& context) {
   return context.getInfo<CL_CONTEXT_DEVICES>().front().getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
 }
 
@@ -57,15 +57,15 @@ SharedBuffer::SharedBuffer(cl::Context context, cl_mem_flags access) : context_(
 void SharedBuffer::ensure(std::size_t bytes) {
   if (bytes <= capacity_) return;
   checked("growing a buffer", [&] {
-    const std::size_t most = largest_allocation(context_);
-    if (bytes > most) throw too_large(bytes, fmt::format("the device's largest allocation is {}", most));
+    const std::size_t max_bytes = max_allocation(context_);
+    if (bytes > max_bytes) throw too_large(bytes, fmt::format("the device's largest allocation is {}", max_bytes));
     const std::size_t allocated = round_up(bytes);
     // Given back before the new memory is taken, so that both never stand side by side.
     buffer_ = cl::Buffer();
     capacity_ = 0;
     HostMemory memory = allocate(allocated);
     if (!memory) throw too_large(bytes, "this machine has no memory left");
-    const std::size_t capacity = std::min(allocated, most);
+    const std::size_t capacity = std::min(allocated, max_bytes);
     cl::Buffer buffer(context_, access_ | CL_MEM_USE_HOST_PTR, capacity, memory.get());
     buffer.setDestructorCallback(free_host_memory, memory.get());
     memory.release();

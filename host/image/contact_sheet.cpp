@@ -12,8 +12,8 @@ constexpr Rgb label_color{190, 190, 190};
 constexpr Rgb missing_color{225, 80, 70};
 constexpr double sheet_proportion = 1.5;  // width to height
 
-std::vector<std::int64_t> shown_frames(const std::vector<std::int64_t>& frames, std::size_t most) {
-  const std::size_t step = (frames.size() + most - 1) / most;
+std::vector<std::int64_t> shown_frames(const std::vector<std::int64_t>& frames, std::size_t max_count) {
+  const std::size_t step = (frames.size() + max_count - 1) / max_count;
   std::vector<std::int64_t> shown;
   for (std::size_t i = 0; i < frames.size(); i += step) shown.push_back(frames[i]);
   return shown;

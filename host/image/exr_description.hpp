@@ -8,7 +8,7 @@
 namespace morphcl {
 
 struct ExrWindow {
-  glm::ivec2 least, greatest;  // pixels, both inclusive
+  glm::ivec2 min, max;  // pixels, both inclusive
 };
 
 struct ExrChannel {

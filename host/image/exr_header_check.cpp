@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t magic_number = 20000630;
 constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 0x1000;
 constexpr std::size_t longest_name = 255;
-constexpr int most_channels = 1024;
+constexpr int max_channels = 1024;
 constexpr std::uint64_t table_entry_bytes = 8;
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
@@ -63,9 +63,9 @@ struct Part {
 };
 
 void check_side(std::string_view what, std::int64_t width, std::int64_t height) {
-  constexpr std::int64_t most = FrameBuffer::max_side;
-  if (width < 1 || height < 1 || width > most || height > most)
-    refuse(fmt::format("a {} of {} x {} pixels; 1 to {} a side can be read", what, width, height, most));
+  constexpr std::int64_t max_side = FrameBuffer::max_side;
+  if (width < 1 || height < 1 || width > max_side || height > max_side)
+    refuse(fmt::format("a {} of {} x {} pixels; 1 to {} a side can be read", what, width, height, max_side));
 }
 
 void check_data_window(HeaderBytes& header, Part& part) {
@@ -78,7 +78,7 @@ void check_data_window(HeaderBytes& header, Part& part) {
 void check_channels(HeaderBytes& header, std::uint64_t end) {
   constexpr std::uint64_t bytes_after_name = 16;
   for (int count = 0; !header.name().empty(); ++count) {
-    if (count == most_channels) refuse(fmt::format("more than {} channels", most_channels));
+    if (count == max_channels) refuse(fmt::format("more than {} channels", max_channels));
     if (header.position() + bytes_after_name >= end) refuse("the channel list is cut off");
     header.skip_to(header.position() + bytes_after_name);
   }

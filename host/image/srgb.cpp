@@ -9,7 +9,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr float largest_half = 65504.0f;
+constexpr float max_half = 65504.0f;
 
 double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -25,7 +25,7 @@ std::array<float, 65536> make_displayable() {
   std::array<float, 65536> table{};
   for (std::size_t bits = 0; bits < table.size(); ++bits) {
     const float value = half_from_bits(bits);
-    table[bits] = value > 0 ? std::min(value, largest_half) : 0.0f;  // NaN is not > 0
+    table[bits] = value > 0 ? std::min(value, max_half) : 0.0f;  // NaN is not > 0
   }
   return table;
 }

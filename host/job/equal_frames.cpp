@@ -23,7 +23,7 @@ std::variant<WrittenFrameFuture, WrittenFramePromise> EqualFrames::find_or_claim
   WrittenFramePromise promise;
   frames_[picture] = promise.get_future().share();
   order_.push_back(picture);
-  if (order_.size() > most) {
+  if (order_.size() > max_frames) {
     frames_.erase(order_.front());
     order_.pop_front();
   }

@@ -30,7 +30,7 @@ class EqualFrames {
   // For a frame whose file has gone since: the next frame with its picture is drawn.
   void forget(const PlanDigest& picture);
 
-  static constexpr std::size_t most = 65536;
+  static constexpr std::size_t max_frames = 65536;
 
  private:
   std::unordered_map<PlanDigest, WrittenFrameFuture> frames_;

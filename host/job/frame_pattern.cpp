@@ -11,7 +11,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr int most_digits = 20;
+constexpr int max_digits = 20;
 constexpr int digits_of_lone_hash = 4;
 
 struct Place {
@@ -26,7 +26,7 @@ std::optional<Place> percent_place(std::string_view name, std::size_t begin) {
   std::size_t end = begin + 1;
   int digits = 0;
   if (end < name.size() && name[end] == '0')
-    for (++end; end < name.size() && is_digit(name[end]) && digits <= most_digits; ++end)
+    for (++end; end < name.size() && is_digit(name[end]) && digits <= max_digits; ++end)
       digits = digits * 10 + (name[end] - '0');
   if (end >= name.size() || name[end] != 'd') return std::nullopt;
   return Place{begin, end + 1 - begin, digits};
@@ -37,9 +37,9 @@ std::optional<Place> next_place(std::string_view name, std::size_t from) {
     if (name[i] == '#') {
       const std::size_t end = std::min(name.find_first_not_of('#', i), name.size());
       const std::size_t count = end - i;
-      const int digits = count == 1                                      ? digits_of_lone_hash
-                         : count > static_cast<std::size_t>(most_digits) ? most_digits + 1
-                                                                         : static_cast<int>(count);
+      const int digits = count == 1                                     ? digits_of_lone_hash
+                         : count > static_cast<std::size_t>(max_digits) ? max_digits + 1
+                                                                        : static_cast<int>(count);
       return Place{i, count, digits};
     }
     if (name[i] == '%')
@@ -61,9 +61,8 @@ FramePattern::FramePattern(const std::string& pattern) : before_(pattern) {
   if (next_place(pattern, place->begin + place->length))
     throw Error(ErrorKind::usage, "",
                 fmt::format("the output '{}' has more than one place for the frame number; keep one of them", pattern));
-  if (place->digits > most_digits)
-    throw Error(ErrorKind::usage, "",
-                fmt::format("the output '{}' asks for more than {} digits", pattern, most_digits));
+  if (place->digits > max_digits)
+    throw Error(ErrorKind::usage, "", fmt::format("the output '{}' asks for more than {} digits", pattern, max_digits));
   before_ = pattern.substr(0, place->begin);
   after_ = pattern.substr(place->begin + place->length);
   digits_ = place->digits;

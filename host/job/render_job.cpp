@@ -16,18 +16,18 @@ namespace morphcl {
 
 namespace {
 
-constexpr int most_threads = 8;
-constexpr std::size_t most_memory = std::size_t{2} << 30;
+constexpr int max_threads = 8;
+constexpr std::size_t max_memory = std::size_t{2} << 30;
 
 int thread_count(const RenderJob& job) {
   const int wanted = job.threads > 0 ? job.threads : static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(wanted, 1, most_threads);
+  return std::clamp(wanted, 1, max_threads);
 }
 
 std::size_t frames_that_fit(const ImageSettings& image) {
   const std::size_t pixel_bytes = (image.color ? 4 * sizeof(std::uint16_t) : 0) + (image.depth ? sizeof(float) : 0);
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  return most_memory / std::max<std::size_t>(1, pixels * pixel_bytes);
+  return max_memory / std::max<std::size_t>(1, pixels * pixel_bytes);
 }
 
 WriteQueue::Limits limits(const RenderJob& job, const ImageSettings& image) {

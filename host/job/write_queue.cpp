@@ -8,7 +8,7 @@ WriteQueue::WriteQueue(Limits limits, std::function<std::unique_ptr<FrameBuffer>
                        std::function<void(FrameTask&, const ReleasePixels&)> write)
     : make_buffer_(std::move(make_buffer)),
       write_(std::move(write)),
-      most_waiting_(static_cast<std::size_t>(limits.buffers) + static_cast<std::size_t>(limits.threads)),
+      max_waiting_(static_cast<std::size_t>(limits.buffers) + static_cast<std::size_t>(limits.threads)),
       buffers_left_to_make_(limits.buffers) {
   for (int i = 0; i < limits.threads; ++i) threads_.emplace_back([this] { write_frames(); });
 }
@@ -39,7 +39,7 @@ void WriteQueue::give_back(std::unique_ptr<FrameBuffer> buffer) {
 void WriteQueue::put(FrameTask task) {
   {
     std::unique_lock lock(mutex_);
-    task_is_taken_.wait(lock, [this] { return tasks_.size() < most_waiting_; });
+    task_is_taken_.wait(lock, [this] { return tasks_.size() < max_waiting_; });
     tasks_.push_back(std::move(task));
   }
   task_is_there_.notify_one();

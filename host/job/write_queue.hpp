@@ -58,7 +58,7 @@ class WriteQueue {
 
   const std::function<std::unique_ptr<FrameBuffer>()> make_buffer_;
   const std::function<void(FrameTask&, const ReleasePixels&)> write_;
-  const std::size_t most_waiting_;
+  const std::size_t max_waiting_;
   mutable std::mutex mutex_;
   std::condition_variable buffer_is_free_, task_is_there_, task_is_taken_, all_done_;
   std::vector<std::unique_ptr<FrameBuffer>> free_;

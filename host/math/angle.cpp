@@ -21,8 +21,8 @@ Float256 accurate_radians(double degrees) { return to_float_256(degrees) * radia
 
 // Of an angle in [0, 45] degrees.
 MORPHCL_INLINED double sine_of_octant(double degrees, const DoubleDouble& r) {
-  constexpr double least = 0x1p-900;  // below it the low parts of the fast phase may be lost
-  if (degrees >= least)
+  constexpr double min_degrees = 0x1p-900;  // below it the low parts of the fast phase may be lost
+  if (degrees >= min_degrees)
     if (const auto fast = rounded(sine_kernel(r), octant_error)) return *fast;
   return to_double(accurate_sine(accurate_radians(degrees)));
 }

@@ -101,8 +101,8 @@ MORPHCL_INLINED double angle_in_half_plane(double y, double x, bool turned) {
   const double small = std::frexp(octant.swapped ? x : y, &small_exponent);
   small_exponent -= exponent;
   // Quotients beyond this may be subnormal, or too small to be told from 0 in fp64.
-  constexpr int least_exponent = -900;
-  if (small_exponent > least_exponent) {
+  constexpr int min_exponent = -900;
+  if (small_exponent > min_exponent) {
     const DoubleDouble angle = fast_arc_tangent(std::ldexp(small, small_exponent), large);
     if (const auto fast = rounded(fast_in_octant(angle, octant), arc_tangent_error)) return *fast;
   }

@@ -149,8 +149,8 @@ Fixed256 to_fixed_256(const Float256& value) {
 
 double to_double(const Float256& value) {
   if (is_zero(value.mantissa)) return 0;
-  constexpr int least_exponent = -1074;
-  const int ulp_exponent = std::max(value.exponent - 53, least_exponent);
+  constexpr int min_exponent = -1074;
+  const int ulp_exponent = std::max(value.exponent - 53, min_exponent);
   const int bits = value.exponent - ulp_exponent;  // that the double has: 53, or fewer where it is subnormal
   if (bits < 0) return 0;
   // One bit more than the double's: the half.

@@ -8,7 +8,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr int fraction_bits = 10, least_exponent = -14;
+constexpr int fraction_bits = 10, min_exponent = -14;
 
 // To the nearest integer, ties to even, of 0 <= value < 2^51: by the rounding of a sum.
 double to_integer(double value) {
@@ -26,10 +26,10 @@ std::uint16_t to_half(double value) {
   if (size >= overflow) return static_cast<std::uint16_t>(sign | 0x7c00);
   int exponent = 0;
   std::frexp(size, &exponent);
-  const int binade = std::max(exponent - 1, least_exponent);
+  const int binade = std::max(exponent - 1, min_exponent);
   // In ulps; a carry into the next binade is right as an integer sum.
   const auto ulps = static_cast<int>(to_integer(std::ldexp(size, fraction_bits - binade)));
-  const int biased = (binade - least_exponent) << fraction_bits;
+  const int biased = (binade - min_exponent) << fraction_bits;
   return static_cast<std::uint16_t>(sign | (biased + ulps));
 }
 
@@ -38,8 +38,8 @@ double from_half(std::uint16_t bits) {
   const int exponent = (bits >> fraction_bits) & 31, fraction = bits & 1023;
   if (exponent == 31)
     return fraction != 0 ? std::numeric_limits<double>::quiet_NaN() : sign * std::numeric_limits<double>::infinity();
-  if (exponent == 0) return sign * std::ldexp(fraction, least_exponent - fraction_bits);
-  return sign * std::ldexp(1024 + fraction, exponent - 1 + least_exponent - fraction_bits);
+  if (exponent == 0) return sign * std::ldexp(fraction, min_exponent - fraction_bits);
+  return sign * std::ldexp(1024 + fraction, exponent - 1 + min_exponent - fraction_bits);
 }
 
 HalfRange half_range(std::span<const double> values) {

@@ -7,6 +7,7 @@
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
 #include "host/math/kahan.hpp"
+#include "host/math/unit_roundoff.hpp"
 
 namespace morphcl {
 
@@ -38,7 +39,7 @@ std::optional<glm::dmat4> try_affine_inverse(const glm::dmat4& affine) {
   const Cofactors c(affine);
   double lengths = 1;
   for (const ScaledVector& column : c.columns) lengths *= glm::length(column.vector);
-  constexpr double rounding = 8 * 0x1p-53;
+  constexpr double rounding = 8 * unit_roundoff<double>;
   if (!(std::abs(c.determinant) > rounding * lengths)) return std::nullopt;
 
   glm::dmat4 inverse(1.0);

@@ -14,9 +14,9 @@ namespace morphcl {
 
 namespace {
 
-constexpr double smallest_angle = 1e-12;  // radians between up and the view axis
+constexpr double min_angle = 1e-12;  // radians between up and the view axis
 
-glm::dvec3 least_aligned_axis(const glm::dvec3& direction) {
+glm::dvec3 transverse_axis(const glm::dvec3& direction) {
   const glm::dvec3 size = glm::abs(direction);
   if (size.x <= size.y && size.x <= size.z) return {1, 0, 0};
   if (size.y <= size.z) return {0, 1, 0};
@@ -38,8 +38,8 @@ LookAt from_backward(const glm::dvec3& eye, const Difference& backward, const gl
   // The low part matters where up is nearly parallel to the view: there it decides what is left of the product.
   glm::dvec3 across = kahan_cross(up_scaled, high.vector) + kahan_cross(up_scaled, low);
   LookAt result;
-  result.up_replaced = !(glm::length(across) > smallest_angle * glm::length(up_scaled) * glm::length(high.vector));
-  if (result.up_replaced) across = kahan_cross(least_aligned_axis(high.vector), high.vector);
+  result.up_replaced = !(glm::length(across) > min_angle * glm::length(up_scaled) * glm::length(high.vector));
+  if (result.up_replaced) across = kahan_cross(transverse_axis(high.vector), high.vector);
 
   const glm::dvec3 x = unit(across), z = unit(high.vector), y = kahan_cross(z, x);
   // Adding 0 turns -0 into +0.

@@ -5,12 +5,13 @@
 #include <cstddef>
 
 #include "host/math/double_double.hpp"
+#include "host/math/unit_roundoff.hpp"
 
 namespace morphcl {
 
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double u = unit_roundoff<double>;
 
 // A sum of doubles that do not overlap, smallest first.
 template <std::size_t Capacity>

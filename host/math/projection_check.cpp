@@ -57,7 +57,7 @@ struct Validator {
     require_parallel_depths(p.near, p.far);
     // A factor at the limit may be rounded beyond it when it is taken apart into x and y.
     const double factor = std::sqrt(p.shear.x * p.shear.x + p.shear.y * p.shear.y);
-    require_number(factor <= largest_oblique_factor * (1 + 1e-15), "the oblique factor", factor,
+    require_number(factor <= max_oblique_factor * (1 + 1e-15), "the oblique factor", factor,
                    "at most 57.29 (projectors at 1 degree to the picture's plane)");
     require_number(std::isfinite(p.plane), "plane", p.plane, "finite");
   }

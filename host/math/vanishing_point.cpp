@@ -6,7 +6,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr double smallest_slope = 0x1p-40;
+constexpr double min_slope = 0x1p-40;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ VanishingPoints vanishing_points(const Projection& projection, double aspect, co
   const glm::dmat4 eye_to_ndc = projection_matrix(projection, aspect);
   for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec4 direction(glm::dvec3(world_to_eye[axis]), 0);
-    if (!(std::abs(direction.z) >= smallest_slope)) continue;
+    if (!(std::abs(direction.z) >= min_slope)) continue;
     const glm::dvec4 image = eye_to_ndc * direction;
     points[static_cast<std::size_t>(axis)] = glm::dvec2(image) / image.w + 0.0;
   }

@@ -135,9 +135,10 @@ struct BspTree::Node {
 };
 
 BspTree::BspTree(const std::vector<FlatPolygon>& polygons) {
-  constexpr std::size_t most = 4096;
-  if (polygons.size() > most)
-    throw Error(ErrorKind::usage, "", fmt::format("{} polygons; a tree holds {} at most", polygons.size(), most));
+  constexpr std::size_t max_polygons = 4096;
+  if (polygons.size() > max_polygons)
+    throw Error(ErrorKind::usage, "",
+                fmt::format("{} polygons; a tree holds {} at most", polygons.size(), max_polygons));
   std::vector<Outline> outlines;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::vector<glm::ivec3>& corners = polygons[i].corners;

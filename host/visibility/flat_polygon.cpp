@@ -40,9 +40,9 @@ FlatPolygon make_flat_polygon(std::vector<glm::ivec3> corners) {
   if (count < 3) refuse(fmt::format("a polygon has {} corners; it needs at least 3", count));
   for (const glm::ivec3& corner : corners)
     for (int i = 0; i < 3; ++i)
-      if (corner[i] < -largest_polygon_coordinate || corner[i] > largest_polygon_coordinate)
-        refuse(fmt::format("a polygon's coordinate is {}; {} is the largest possible", corner[i],
-                           largest_polygon_coordinate));
+      if (corner[i] < -max_polygon_coordinate || corner[i] > max_polygon_coordinate)
+        refuse(
+            fmt::format("a polygon's coordinate is {}; {} is the largest possible", corner[i], max_polygon_coordinate));
   Vector normal(0);
   for (std::size_t i = 0; i < count && normal == Vector(0); ++i)
     normal = cross(corners[i], corners[(i + 1) % count], corners[(i + 2) % count]);

@@ -24,7 +24,7 @@ struct PixelBox {
 };
 
 PixelBox pixel_box(const FlatPolygon& polygon, int width, int height) {
-  int low[2] = {largest_polygon_coordinate, largest_polygon_coordinate}, high[2] = {-low[0], -low[1]};
+  int low[2] = {max_polygon_coordinate, max_polygon_coordinate}, high[2] = {-low[0], -low[1]};
   for (const glm::ivec3& corner : polygon.corners)
     for (int i = 0; i < 2; ++i) {
       low[i] = std::min(low[i], corner[i]);

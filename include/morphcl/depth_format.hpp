@@ -1,12 +1,12 @@
 // What a depth buffer keeps of a distance: a number of few bits, by which it tells which of two surfaces is nearer.
 //
-// The closeness of a distance is 1 on the near plane and 0 on the far one. With n = near, f = far, d = distance:
+// The normalized depth of a distance is 1 on the near plane and 0 on the far one. With n = near, f = far, d = distance:
 //   perspective  (n / d - n / f) / (1 - n / f)        parallel  (f - d) / (f - n)
-// so the depth of the textbooks, 0 at near and 1 at far, is 1 - closeness.
+// so the depth of the textbooks, 0 at near and 1 at far, is 1 - normalized depth.
 //
 //   reversed_float  n / d (perspective) or -d (parallel), rounded to binary32: no far plane takes part
-//   forward_float   1 - closeness, rounded to binary32
-//   fixedN          closeness times 2^N - 1, rounded to a whole number: steps counted from the far plane
+//   forward_float   1 - normalized depth, rounded to binary32
+//   fixedN          normalized depth times 2^N - 1, rounded to a whole number: steps counted from the far plane
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@
 
 namespace morphcl {
 
-constexpr int largest_polygon_coordinate = 512;  // half pixels
+constexpr int max_polygon_coordinate = 512;  // half pixels
 
 // x X + y Y + z Z - d, positive on the side that the normal points to.
 struct IntegerPlane {

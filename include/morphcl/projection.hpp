@@ -46,20 +46,20 @@ struct ObliqueShear {
   double x = 0, y = 0;
 };
 
-constexpr double smallest_beta_degrees = 1;
-constexpr double largest_oblique_factor = 57.289961630759425;  // cot(1 degree)
+constexpr double min_beta_degrees = 1;
+constexpr double max_oblique_factor = 57.289961630759425;  // cot(1 degree)
 constexpr double cavalier_factor = 1, cabinet_factor = 0.5;
 
 // Edges that lead straight away from the viewer are drawn at `direction_degrees`, counter-clockwise from the picture's
 // x axis, and `factor` times as long as they are: 1 in cavalier, 1/2 in cabinet, 0 in orthographic projections.
-// Error(usage) when the factor is not in [0, largest_oblique_factor] or the direction is not finite.
+// Error(usage) when the factor is not in [0, max_oblique_factor] or the direction is not finite.
 ObliqueShear oblique_shear(double direction_degrees, double factor);
 
 // cot(beta): 1 at 45 degrees, 1/2 at atan(2) = 63.43 degrees. Error(usage) when beta is not in [1, 90] degrees.
 double oblique_factor(double beta_degrees);
 
 // From the projectors' direction (a, b, c) in eye space, of any length: (a / c, b / c). Error(usage) when it is not
-// finite or runs closer than smallest_beta_degrees to the picture's plane.
+// finite or runs closer than min_beta_degrees to the picture's plane.
 ObliqueShear oblique_shear_along(const glm::dvec3& direction);
 
 // ---- projection -----------------------------------------------------------------------------------------------------

@@ -6,8 +6,7 @@
 namespace morphcl::accuracy {
 
 double ulp_at(double magnitude, Format format) {
-  const int exponent =
-      magnitude > 0 ? std::max(std::ilogb(magnitude), format.smallest_exponent) : format.smallest_exponent;
+  const int exponent = magnitude > 0 ? std::max(std::ilogb(magnitude), format.min_exponent) : format.min_exponent;
   return std::ldexp(1.0, exponent - format.bits + 1);
 }
 

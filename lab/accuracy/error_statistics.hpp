@@ -13,8 +13,8 @@ namespace morphcl::accuracy {
 
 // The format that errors are counted in.
 struct Format {
-  int bits;               // of the significand, the hidden one included
-  int smallest_exponent;  // of a normal number
+  int bits;          // of the significand, the hidden one included
+  int min_exponent;  // of a normal number
 };
 constexpr Format binary32{24, -126}, binary64{53, -1022};
 

@@ -10,10 +10,10 @@ namespace {
 constexpr Rgb background{24, 24, 30};
 
 std::uint8_t brightness(float error) {
-  constexpr int least_exponent = -34, codes_per_doubling = 6;
+  constexpr int min_exponent = -34, codes_per_doubling = 6;
   if (!(error > 0)) return 0;
   if (!std::isfinite(error)) return 255;
-  return static_cast<std::uint8_t>(std::clamp(codes_per_doubling * (std::ilogb(error) - least_exponent), 0, 255));
+  return static_cast<std::uint8_t>(std::clamp(codes_per_doubling * (std::ilogb(error) - min_exponent), 0, 255));
 }
 
 Rgb mark_of(PixelDifference difference) {

@@ -85,12 +85,12 @@ class Comparison {
   // made the difference: where the primitive shown does not cover the pixel in truth, or where the nearest one only
   // just does and lies clearly in front.
   std::optional<double> gap_of_order(int x, int y, const Visible<double>& exact, const ShownPixel& shown) const {
-    constexpr int largest_shift = 2;           // sub-pixels that rounding and the grid move a vertex
+    constexpr int max_shift = 2;               // sub-pixels that rounding and the grid move a vertex
     constexpr double largest_error = 0x1p-16;  // relative, of a depth
     const std::optional<Hit<double>> hit = truth_.hit(shown.object, shown.primitive, x, y);
     if (!hit) return std::nullopt;
     const double gap = std::abs(hit->distance / exact.distance - 1);
-    if (gap <= largest_error || truth_.covers_around(exact.object, exact.primitive, x, y, largest_shift)) return gap;
+    if (gap <= largest_error || truth_.covers_around(exact.object, exact.primitive, x, y, max_shift)) return gap;
     return std::nullopt;
   }
 
@@ -162,11 +162,11 @@ double Tally::rms() const {
 }
 
 void check_comparable(const FramePlan& plan) {
-  constexpr std::size_t most = std::size_t{1} << 26;
-  if (static_cast<std::size_t>(plan.width) * plan.height > most)
+  constexpr std::size_t max = std::size_t{1} << 26;
+  if (static_cast<std::size_t>(plan.width) * plan.height > max)
     throw Error(ErrorKind::usage, "",
                 fmt::format("an image of {} x {} pixels; at most {}, as 8192 x 8192 has, are compared", plan.width,
-                            plan.height, most));
+                            plan.height, max));
 }
 
 FrameDifference compare_with_fp64(const Scene& scene, const FramePlan& plan, const FrameBuffer& pixels,

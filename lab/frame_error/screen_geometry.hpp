@@ -1,4 +1,4 @@
-// Where a clip-space corner lands on the screen, in sub-pixels (256 a pixel, y downwards, centres at 128): snapped to
+// Where a clip-space corner lands on the screen, in sub-pixels (y downwards): snapped to
 // the grid that the renderers use, or left where it truly is. A render on the grid shows what rounding alone changes, a
 // render of the true geometry what the grid costs as well.
 #pragma once
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "host/render/frame/raster_grid.hpp"
 #include "lab/frame_error/precise_clip.hpp"
 
 namespace morphcl::accuracy {
@@ -40,11 +41,9 @@ struct TrueGeometry {
 template <class Geometry>
 ScreenPoint<typename Geometry::Coordinate> to_screen(const Corner<typename Geometry::Real>& c, int width, int height) {
   using Real = typename Geometry::Real;
-  const Real half_width = Real(128) * width, half_height = Real(128) * height;
+  const Real half_width = Real(layout::half_pixel) * width, half_height = Real(layout::half_pixel) * height;
   return {Geometry::place(c.x / c.w * half_width + half_width), Geometry::place(half_height - c.y / c.w * half_height)};
 }
-
-inline int pixel_centre(int pixel) { return pixel * 256 + 128; }
 
 // Twice the area of from, to, p; the negated bits when `from` and `to` change places, so that of two triangles at an
 // edge exactly one has a point, however it is rounded.

@@ -56,9 +56,9 @@ class ScreenLine {
   Coordinate offset(int along) const { return Coordinate(pixel_centre(along)) - start_; }
   bool crosses(int along) const { return offset(along) >= 0 && offset(along) < run_; }
 
-  // floor((across + rise * offset / run) / 256)
+  // floor((across + rise * offset / run) / sub-pixels of a pixel)
   std::int64_t pixel_across(int along) const {
-    const Coordinate numerator = across_ * run_ + rise_ * offset(along), denominator = run_ * 256;
+    const Coordinate numerator = across_ * run_ + rise_ * offset(along), denominator = run_ * layout::subpixels;
     if constexpr (std::is_same_v<Coordinate, std::int64_t>) {
       return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
     } else {

@@ -8,10 +8,10 @@ namespace morphcl::accuracy {
 
 namespace {
 
-// Of a binary format with `bits` of significand whose least normal number is 2^least_exponent.
-double spacing(double value, int bits, int least_exponent) {
-  const int exponent = value == 0 || !std::isfinite(value) ? least_exponent : std::ilogb(value);
-  return std::ldexp(1.0, std::max(exponent, least_exponent) - (bits - 1));
+// Of a binary format with `bits` of significand whose least normal number is 2^min_exponent.
+double spacing(double value, int bits, int min_exponent) {
+  const int exponent = value == 0 || !std::isfinite(value) ? min_exponent : std::ilogb(value);
+  return std::ldexp(1.0, std::max(exponent, min_exponent) - (bits - 1));
 }
 
 }  // namespace

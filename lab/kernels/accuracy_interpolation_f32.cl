@@ -28,11 +28,11 @@ kernel void lerp_fused(ARGUMENTS) {
   results[i] = fma(t, b, fma(-t, a, a));
 }
 
-#define LOAD_CORNERS                                                                  \
-  const size_t i = get_global_id(0), pitch = count;                                   \
-  if (i >= count) return;                                                             \
-  const float a1 = planes[i], w1 = planes[i + pitch], a2 = planes[i + 2 * pitch],     \
-              w2 = planes[i + 3 * pitch], t = planes[i + 4 * pitch];
+#define LOAD_CORNERS                                                                                          \
+  const size_t i = get_global_id(0), pitch = count;                                                           \
+  if (i >= count) return;                                                                                     \
+  const float a1 = planes[i], w1 = planes[i + pitch], a2 = planes[i + 2 * pitch], w2 = planes[i + 3 * pitch], \
+              t = planes[i + 4 * pitch];
 
 kernel void perspective_difference(ARGUMENTS) {
   LOAD_CORNERS

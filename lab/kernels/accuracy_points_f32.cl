@@ -5,12 +5,11 @@
 // Out: results: x, y, z likewise. One work-item a point; lab/accuracy/operations/point_transform.cpp is the same
 //      arithmetic on the host.
 
-#define POINT_ARGUMENTS \
-  global const float *planes, global const float *constants, global float *results, uint count
+#define POINT_ARGUMENTS global const float *planes, global const float *constants, global float *results, uint count
 
-#define LOAD_POINT                      \
-  const size_t i = get_global_id(0);    \
-  if (i >= count) return;               \
+#define LOAD_POINT                   \
+  const size_t i = get_global_id(0); \
+  if (i >= count) return;            \
   const float v[3] = {planes[i], planes[i + count], planes[i + 2 * (size_t)count]};
 
 kernel void multiply_add(POINT_ARGUMENTS) {

@@ -152,7 +152,7 @@ TEST(ElasticBody, AFrameAloneIsThatOfTheSequence) {
     return SteppedBody(stiff_chain(8), EdgeRest::driven, chain_drive(8, 60), chain_time, kept_bytes);
   };
   std::vector<Displacements> sequence(90);
-  SteppedBody all = make(SteppedBody::most_kept_bytes);
+  SteppedBody all = make(SteppedBody::max_kept_bytes);
   for (std::size_t k = 0; k < 90; ++k) all.displacements_at(static_cast<std::int64_t>(k), sequence[k]);
   SteppedBody few = make(5 * 8 * 48);
   Displacements x;

@@ -62,9 +62,7 @@ testing::AssertionResult agrees(const Case& c, double* worst = nullptr) {
                                      << velocity.message();
 }
 
-double log_uniform(Random& random, double least, double most) {
-  return std::exp(random.in(std::log(least), std::log(most)));
-}
+double log_uniform(Random& random, double min, double max) { return std::exp(random.in(std::log(min), std::log(max))); }
 
 TEST(Spring, RandomOverTwelveDecades) {
   Random random(2026);

@@ -106,10 +106,10 @@ TEST(SpringTrack, RestsBeforeItsFirstKeyAndSettlesAfterItsLast) {
   const Track track = Track({Interpolation::step, 1, false, second_ticks, {10 * frame_ticks, 11 * frame_ticks}, {2, 5}})
                           .on_spring(spring_of_frequency(3, 0.25));
   for (const std::int64_t k : {-1'000'000, 0, 10, 11}) EXPECT_EQ(value_at(track, k * frame_ticks), 2) << k;
-  double most = 0;
-  for (std::int64_t k = 11; k < 60; ++k) most = std::max(most, value_at(track, k * frame_ticks));
-  EXPECT_GT(most, 6);
-  EXPECT_LT(most, 5 + 3 * 0.45);  // the first overshoot is exp(-pi zeta / sqrt(1 - zeta^2)) = 0.444
+  double max = 0;
+  for (std::int64_t k = 11; k < 60; ++k) max = std::max(max, value_at(track, k * frame_ticks));
+  EXPECT_GT(max, 6);
+  EXPECT_LT(max, 5 + 3 * 0.45);  // the first overshoot is exp(-pi zeta / sqrt(1 - zeta^2)) = 0.444
   EXPECT_NEAR(value_at(track, track.end_tick()), 5, 3e-3);
   EXPECT_GT(track.end_tick(), track.last_tick());
   EXPECT_EQ(value_at(track, 4'000 * frame_ticks), 5);
@@ -136,7 +136,7 @@ TEST(SpringTrack, RotationsAreUnitAndKeepTheirSide) {
         .on_spring(spring_of_frequency(2, 0.3));
   };
   const Track track = turning(1), other = turning(-7);
-  double most = 0;
+  double max = 0;
   for (std::int64_t k = 0; k < 60; ++k) {
     std::array<double, 4> q{}, same{};
     track.evaluate(k * frame_ticks, q.data());
@@ -144,9 +144,9 @@ TEST(SpringTrack, RotationsAreUnitAndKeepTheirSide) {
     for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(within(q[i], same[i], 8 * u64)) << k;
     EXPECT_TRUE(within(std::sqrt(q[2] * q[2] + q[3] * q[3]), 1.0, 8 * u64)) << k;
     EXPECT_GT(q[3], 0) << k;
-    most = std::max(most, q[2]);
+    max = std::max(max, q[2]);
   }
-  EXPECT_GT(most, h + 0.02) << "it goes on past the key";
+  EXPECT_GT(max, h + 0.02) << "it goes on past the key";
 }
 
 TEST(SpringTrack, RangeContainsWhatItOvershoots) {
@@ -186,11 +186,11 @@ TEST(SpringTrack, RangeContainsResonance) {
     values.push_back(key % 2 ? 1 : 0);
   }
   const Track track = Track({Interpolation::step, 1, false, 1000, ticks, values}).on_spring(spring_of_frequency(1, 0));
-  double most = 0;
-  for (std::int64_t tick = 0; tick < 25'000; ++tick) most = std::max(most, value_at(track, tick));
-  EXPECT_GT(most, 35);
-  EXPECT_GE(track.range(0).upper, most);
-  EXPECT_LT(track.range(0).upper, 1.1 * most);
+  double max = 0;
+  for (std::int64_t tick = 0; tick < 25'000; ++tick) max = std::max(max, value_at(track, tick));
+  EXPECT_GT(max, 35);
+  EXPECT_GE(track.range(0).upper, max);
+  EXPECT_LT(track.range(0).upper, 1.1 * max);
 }
 
 TEST(SpringTrack, BadSpringsAreErrors) {

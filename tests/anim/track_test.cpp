@@ -64,10 +64,10 @@ TEST(Track, HundredMorphStepsAreExact) {
 }
 
 TEST(Track, KeysMayBeTheWholeRangeApart) {
-  const std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
-  const Track track = make(Interpolation::linear, 1, {least, most}, {0, 1});
+  const std::int64_t min = std::numeric_limits<std::int64_t>::min(), max = std::numeric_limits<std::int64_t>::max();
+  const Track track = make(Interpolation::linear, 1, {min, max}, {0, 1});
   EXPECT_EQ(value_at(track, 0), 0.5);
-  EXPECT_EQ(value_at(track, most / 2), 0.75);
+  EXPECT_EQ(value_at(track, max / 2), 0.75);
 }
 
 TEST(Track, ManyKeysAreSearched) {

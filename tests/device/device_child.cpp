@@ -4,7 +4,7 @@
 //   device_child transform COUNT...          hash of all batch transforms of COUNT vertices each; fills the cache
 //   device_child arrays COUNT...             the same of floats in separate arrays alone
 //   device_child points COUNT...             the same of points in one layout alone
-//   device_child split COUNT                 largest_allocation of the device, and how many of COUNT vertices that
+//   device_child split COUNT                 max_allocation of the device, and how many of COUNT vertices that
 //                                            transform_vertices() transforms in place differ from the reference
 //   device_child stray_write                 a kernel that writes outside its buffer, for checkers that should see it
 // An Error is printed as "error MESSAGE" and its exit code is the process's.
@@ -119,7 +119,7 @@ void print_differences(std::size_t count) {
     transform_reference(transform, some, some);
     for (std::size_t i = 0; i < expected.size(); ++i) different += expected[i] != records[3 * first + i];
   }
-  fmt::print("largest_allocation {}\ndifferent {}\n", session->info().largest_allocation, different);
+  fmt::print("largest_allocation {}\ndifferent {}\n", session->info().max_allocation, different);
 }
 
 struct Values {

@@ -37,8 +37,8 @@ TEST(Session, ListsDevicesWithTheirLimits) {
     EXPECT_NE(info.platform, "");
     EXPECT_NE(info.driver_version, "");
     EXPECT_GE(info.compute_units, 1u);
-    EXPECT_GE(info.largest_allocation, std::size_t{1} << 20);
-    EXPECT_GE(info.global_memory, info.largest_allocation);
+    EXPECT_GE(info.max_allocation, std::size_t{1} << 20);
+    EXPECT_GE(info.global_memory, info.max_allocation);
     EXPECT_GE(info.local_memory, std::size_t{1} << 14);
   }
 }

@@ -89,7 +89,7 @@ TEST(SharedBuffer, GrowsWhileTheDeviceUsesTheOldMemory) {
 TEST(SharedBuffer, MoreThanTheDeviceHasIsRefused) {
   SharedBuffer buffer(shared_session().context());
   for (const std::size_t bytes :
-       {shared_session().info().largest_allocation + 1, std::numeric_limits<std::size_t>::max()}) {
+       {shared_session().info().max_allocation + 1, std::numeric_limits<std::size_t>::max()}) {
     try {
       buffer.ensure(bytes);
       FAIL() << bytes << " bytes were granted";

@@ -172,15 +172,15 @@ TEST(DamagedExr, OtherFilesAreNoExr) {
 
 TEST(DamagedExr, HugeAndUpsideDownWindowsAreRefused) {
   const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
-  constexpr std::int32_t most = 2147483647, least = -2147483647 - 1;
+  constexpr std::int32_t max = 2147483647, min = -2147483647 - 1;
   const struct {
     std::ptrdiff_t side;  // offset of first x, first y, last x, last y
     std::int32_t value;
-  } cases[] = {{8, most}, {12, most}, {8, 100000}, {12, 100000}, {0, 40}, {4, 30}, {0, most}, {8, -1}, {12, least}};
+  } cases[] = {{8, max}, {12, max}, {8, 100000}, {12, 100000}, {0, 40}, {4, 30}, {0, max}, {8, -1}, {12, min}};
   for (const auto& [side, value] : cases)
     EXPECT_EQ(kind_of_failure(with_number(whole, "dataWindow", side, value)), ErrorKind::bad_input)
         << "offset " << side << " value " << value;
-  EXPECT_EQ(kind_of_failure(with_number(with_number(whole, "dataWindow", 0, least), "dataWindow", 8, most)),
+  EXPECT_EQ(kind_of_failure(with_number(with_number(whole, "dataWindow", 0, min), "dataWindow", 8, max)),
             ErrorKind::bad_input);
 }
 

@@ -136,7 +136,7 @@ TEST(ForeignExr, ImageWithoutOurChannelsIsRefusedAndDescribed) {
   ASSERT_EQ(description.channels.size(), 2u);
   EXPECT_EQ(description.channels[0].name, "N.X");
   EXPECT_EQ(description.channels[0].type, "float");
-  EXPECT_EQ(description.data_window.least, glm::ivec2(-7, -3));
+  EXPECT_EQ(description.data_window.min, glm::ivec2(-7, -3));
 }
 
 TEST(ForeignExr, SubsampledColourIsRefused) {

@@ -16,10 +16,12 @@ TEST(FrameBuffer, RowsOfAllChannelsFollowEachOtherInWholeTiles) {
   for (int channel = 0; channel < 4; ++channel)
     EXPECT_EQ(frame.color_offset(channel), 128u * 2 * static_cast<unsigned>(channel));
   EXPECT_EQ(frame.depth_offset(), 128u * 8);
-  EXPECT_EQ(frame.row_bytes(), 128u * 12);
-  EXPECT_EQ(frame.bytes(), 128u * 12 * 64);
-  EXPECT_EQ(FrameBuffer(1, 1, true, false).bytes(), 64u * 8 * 64);
-  EXPECT_EQ(FrameBuffer(1, 65, false, true).bytes(), 64u * 4 * 128);
+  constexpr std::size_t notes = 64;  // a cache line holds those of 16 tiles
+  EXPECT_EQ(frame.row_bytes(), 128u * 12 + notes);
+  EXPECT_EQ(frame.bytes(), (128u * 12 + notes) * 64);
+  EXPECT_EQ(FrameBuffer(1, 1, true, false).bytes(), (64u * 8 + notes) * 64);
+  EXPECT_EQ(FrameBuffer(1, 65, false, true).bytes(), (64u * 4 + notes) * 128);
+  EXPECT_EQ(FrameBuffer(17 * 64, 1, false, true).row_bytes(), 17u * 64 * 4 + 2 * notes);
   EXPECT_EQ(FrameBuffer(1, 1, false, true).depth_offset(), 0u);
 }
 

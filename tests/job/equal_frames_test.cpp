@@ -232,9 +232,9 @@ TEST(EqualFrames, PictureIsClaimedAgainAfterItsFrameFailed) {
 TEST(EqualFrames, PicturesInMemoryAreBounded) {
   EqualFrames frames;
   std::vector<WrittenFramePromise> promises;
-  for (std::uint64_t i = 0; i <= EqualFrames::most; ++i)
+  for (std::uint64_t i = 0; i <= EqualFrames::max_frames; ++i)
     promises.push_back(std::get<WrittenFramePromise>(frames.find_or_claim(digest_of(i))));
-  EXPECT_TRUE(std::holds_alternative<WrittenFrameFuture>(frames.find_or_claim(digest_of(EqualFrames::most))));
+  EXPECT_TRUE(std::holds_alternative<WrittenFrameFuture>(frames.find_or_claim(digest_of(EqualFrames::max_frames))));
   EXPECT_TRUE(std::holds_alternative<WrittenFrameFuture>(frames.find_or_claim(digest_of(1))));
   EXPECT_TRUE(std::holds_alternative<WrittenFramePromise>(frames.find_or_claim(digest_of(0)))) << "the oldest one";
 }

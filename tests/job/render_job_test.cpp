@@ -101,11 +101,11 @@ TEST(RenderJob, BytesDependOnNeitherThreadsNorFramesInFlight) {
 }
 
 TEST(RenderJob, FramesInMemoryAreBounded) {
-  for (const auto& [threads, in_flight, most] : {std::tuple{4, 1, 1u}, {4, 3, 3u}, {1, 2, 2u}, {3, 0, 4u}}) {
+  for (const auto& [threads, in_flight, max] : {std::tuple{4, 1, 1u}, {4, 3, 3u}, {1, 2, 2u}, {3, 0, 4u}}) {
     const TemporaryFolder folder;
     FakeRenderer renderer;
-    std::atomic<int> drawn{0}, written{0}, most_at_once{0};
-    renderer.before_draw = [&](std::int64_t) { most_at_once = std::max<int>(most_at_once, ++drawn - written); };
+    std::atomic<int> drawn{0}, written{0}, max_at_once{0};
+    renderer.before_draw = [&](std::int64_t) { max_at_once = std::max<int>(max_at_once, ++drawn - written); };
     RenderJob job = job_of(folder / "a.##.exr", range(0, 30));
     job.threads = threads;
     job.frames_in_flight = in_flight;
@@ -114,9 +114,9 @@ TEST(RenderJob, FramesInMemoryAreBounded) {
       ++written;
     };
     run(job, empty_scene(), renderer);
-    EXPECT_LE(renderer.buffers.size(), most) << threads << " threads, " << in_flight << " in flight";
+    EXPECT_LE(renderer.buffers.size(), max) << threads << " threads, " << in_flight << " in flight";
     const int on_their_way = threads + 4;  // encoded, without a buffer
-    EXPECT_LE(most_at_once, static_cast<int>(most) + on_their_way)
+    EXPECT_LE(max_at_once, static_cast<int>(max) + on_their_way)
         << threads << " threads, " << in_flight << " in flight";
     EXPECT_EQ(written, 31);
   }

@@ -13,14 +13,14 @@
 #include "tests/job/fake_renderer.hpp"
 
 namespace {
-std::atomic<int> flush_milliseconds{0}, flushing{0}, most_flushing{0};
+std::atomic<int> flush_milliseconds{0}, flushing{0}, max_flushing{0};
 }
 
 // Stands in for the C library's fsync in this program.
 extern "C" int fsync(int file) {
   const int now = ++flushing;
-  int most = most_flushing;
-  while (now > most && !most_flushing.compare_exchange_weak(most, now)) {
+  int max = max_flushing;
+  while (now > max && !max_flushing.compare_exchange_weak(max, now)) {
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(flush_milliseconds));
   --flushing;
@@ -37,21 +37,21 @@ TEST(SlowDisk, FramesInMemoryStayBoundedAndFlushesOverlap) {
   for (const auto& [threads, in_flight] : {std::pair{1, 1}, {2, 3}}) {
     const image_test::TemporaryFolder folder;
     FakeRenderer renderer;
-    std::atomic<int> drawn{0}, written{0}, most_at_once{0};
-    renderer.before_draw = [&](std::int64_t) { most_at_once = std::max<int>(most_at_once, ++drawn - written); };
+    std::atomic<int> drawn{0}, written{0}, max_at_once{0};
+    renderer.before_draw = [&](std::int64_t) { max_at_once = std::max<int>(max_at_once, ++drawn - written); };
     std::vector<std::int64_t> frames(40);
     std::iota(frames.begin(), frames.end(), 0);
     RenderJob job = job_of(folder / "a.##.exr", frames);
     job.threads = threads;
     job.frames_in_flight = in_flight;
     job.on_frame = [&](const FrameResult&) { ++written; };
-    most_flushing = 0;
+    max_flushing = 0;
     run(job, empty_scene(), renderer);
     EXPECT_EQ(written, 40);
     EXPECT_LE(renderer.buffers.size(), static_cast<std::size_t>(in_flight));
-    EXPECT_LE(most_at_once, in_flight + threads + 4) << "frames drawn and not yet on the disk";
-    EXPECT_GT(most_at_once, in_flight + 1) << "the renderer waited for the disk";
-    EXPECT_GT(most_flushing, threads) << "flushes wait for each other";
+    EXPECT_LE(max_at_once, in_flight + threads + 4) << "frames drawn and not yet on the disk";
+    EXPECT_GT(max_at_once, in_flight + 1) << "the renderer waited for the disk";
+    EXPECT_GT(max_flushing, threads) << "flushes wait for each other";
   }
   flush_milliseconds = 0;
 }

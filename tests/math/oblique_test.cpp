@@ -13,7 +13,7 @@ TEST(Oblique, CavalierAndCabinetFactors) {
   EXPECT_EQ(oblique_factor(45), cavalier_factor);
   EXPECT_TRUE(within(oblique_factor(63.434948822922010648), cabinet_factor, 4 * u64));
   EXPECT_EQ(oblique_factor(90), 0);
-  EXPECT_EQ(oblique_factor(1), largest_oblique_factor);
+  EXPECT_EQ(oblique_factor(1), max_oblique_factor);
 }
 
 // cot has a quotient of two values within 1 ulp; the shear's components one more product and value.

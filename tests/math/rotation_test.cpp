@@ -176,8 +176,8 @@ TEST(Rotation, EqualPointsAndNotFiniteAnglesAreErrors) {
 TEST(Rotation, PointsAtTheEndsOfTheRangeGiveAnAxis) {
   const glm::dmat4 m = about_axis({-1.7e308, 0, 0}, {1.7e308, 0, 0}, 90);
   EXPECT_EQ(m[1][2], 1);
-  const double least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(about_axis(glm::dvec3(0), {0, 0, least}, 90)[0][1], 1);
+  const double min = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(about_axis(glm::dvec3(0), {0, 0, min}, 90)[0][1], 1);
 }
 
 }  // namespace

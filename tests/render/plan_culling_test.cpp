@@ -185,7 +185,7 @@ TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
   }
   b.look({0, 0, 4}).scene().timeline.camera.target_track = random_track(random, 3, false, 4);
   const Planner planner(b.scene());
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const std::int64_t frame : {3, 17, 4, 4, 0, 17, 28}) {
     const FramePlan again = planner.plan(frame), alone = plan_frame(b.scene(), frame);
     ASSERT_EQ(again.draws.size(), alone.draws.size()) << "frame " << frame;
@@ -198,9 +198,9 @@ TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
                              alone.draws[i].targets.begin(), alone.draws[i].targets.end()));
       EXPECT_TRUE(i == 0 || alone.draws[i - 1].object < alone.draws[i].object) << "drawn in the scene's order";
     }
-    most = std::max(most, alone.draws.size());
+    max = std::max(max, alone.draws.size());
   }
-  EXPECT_GT(most, 10u);
+  EXPECT_GT(max, 10u);
 }
 
 }  // namespace

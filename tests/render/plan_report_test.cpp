@@ -133,16 +133,16 @@ TEST(PlanReport, CostAndMemoryGrowWithTheWork) {
     b.add(std::move(mesh), Shading::smooth);
     return report_of(b.look({0, 0, 4}).scene(), 0);
   };
-  const PlanReport least = report(32, 256, 0), finer = report(320, 256, 0), larger = report(32, 2560, 0),
+  const PlanReport min = report(32, 256, 0), finer = report(320, 256, 0), larger = report(32, 2560, 0),
                    rigged = report(32, 256, 50);
-  EXPECT_GT(finer.milliseconds, least.milliseconds);
-  EXPECT_GT(larger.milliseconds, least.milliseconds);
-  EXPECT_EQ(larger.memory.pixels, 100 * least.memory.pixels);
+  EXPECT_GT(finer.milliseconds, min.milliseconds);
+  EXPECT_GT(larger.milliseconds, min.milliseconds);
+  EXPECT_EQ(larger.memory.pixels, 100 * min.memory.pixels);
   EXPECT_GT(find_note(rigged, "idle morph targets")->milliseconds, 0);
 
   const auto padded = [](std::size_t count) { return (count + 15) / 16 * 16; };
   for (const auto& [memory, segments, targets] :
-       {std::tuple(least.memory, 32, 0), {finer.memory, 320, 0}, {rigged.memory, 32, 50}}) {
+       {std::tuple(min.memory, 32, 0), {finer.memory, 320, 0}, {rigged.memory, 32, 50}}) {
     const Mesh mesh = make_sphere({segments, segments / 2});
     const std::size_t vertices = padded(mesh.positions.size()), triangles = padded(mesh.triangles.size());
     EXPECT_EQ(memory.vertices, vertices * (16 + 16)) << "a record and a normal a vertex";

@@ -44,12 +44,12 @@ Seen seen(const Scene& scene) {
   return result;
 }
 
-void expect_fits(const Scene& scene, double least_part) {
+void expect_fits(const Scene& scene, double min_part) {
   const Seen view = seen(scene);
   const auto& perspective = std::get<Perspective>(scene.timeline.camera.projection);
   constexpr double rounding = 1e-12;
   EXPECT_LE(std::max(view.width, view.height), 0.7 + rounding);
-  EXPECT_GE(std::max(view.width, view.height), least_part);
+  EXPECT_GE(std::max(view.width, view.height), min_part);
   EXPECT_GT(view.nearest, perspective.near);
   EXPECT_LT(view.farthest, perspective.far);
 }

@@ -8,16 +8,15 @@ namespace {
 
 constexpr std::size_t max_buffers = 64;
 
-std::size_t largest_allocation(const cl::Context& context) {
+std::size_t max_allocation(const cl::Context& context) {
   return context.getInfo<CL_CONTEXT_DEVICES>().front().getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
 }
 
 }  // namespace
 
-DevicePictures::DevicePictures(cl::Context context, std::size_t largest_band)
-    : context_(std::move(context)), largest_band_(largest_band) {
-  checked("asking for the largest allocation",
-          [&] { largest_band_ = std::min(largest_band_, largest_allocation(context_)); });
+DevicePictures::DevicePictures(cl::Context context, std::size_t max_band)
+    : context_(std::move(context)), max_band_(max_band) {
+  checked("asking for the largest allocation", [&] { max_band_ = std::min(max_band_, max_allocation(context_)); });
 }
 
 DevicePicture DevicePictures::picture(FrameBuffer& frame) {
@@ -27,7 +26,7 @@ DevicePicture DevicePictures::picture(FrameBuffer& frame) {
   const FrameBuffer::Memory& memory = picture.memory;
   const std::size_t tile_row_bytes = memory.row_bytes * FrameBuffer::tile_side;
   const auto tile_rows = static_cast<std::size_t>(frame.tiles_y()), columns = static_cast<std::size_t>(frame.tiles_x());
-  const std::size_t rows_a_band = std::clamp<std::size_t>(largest_band_ / tile_row_bytes, 1, tile_rows);
+  const std::size_t rows_a_band = std::clamp<std::size_t>(max_band_ / tile_row_bytes, 1, tile_rows);
   for (std::size_t first = 0; first < tile_rows; first += rows_a_band) {
     const std::size_t rows = std::min(rows_a_band, tile_rows - first);
     picture.bands.push_back({wrap(memory.data + first * tile_row_bytes, rows * tile_row_bytes),
@@ -48,8 +47,8 @@ void DevicePictures::bring_to_host(const cl::CommandQueue& queue, const DevicePi
   checked("bringing the frame to the host", [&] {
     std::vector<std::pair<cl::Buffer, void*>> mapped;
     for (const DevicePicture::Band& band : picture.bands)
-      mapped.emplace_back(band.rows, queue.enqueueMapBuffer(band.rows, CL_FALSE, CL_MAP_READ, 0,
-                                                            band.rows.getInfo<CL_MEM_SIZE>()));
+      mapped.emplace_back(
+          band.rows, queue.enqueueMapBuffer(band.rows, CL_FALSE, CL_MAP_READ, 0, band.rows.getInfo<CL_MEM_SIZE>()));
     queue.finish();
     for (const auto& [buffer, pointer] : mapped) queue.enqueueUnmapMemObject(buffer, pointer);
   });

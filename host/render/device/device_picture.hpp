@@ -22,8 +22,8 @@ struct DevicePicture {
 
 class DevicePictures {
  public:
-  // No band gets more than `largest_band` bytes, where one row of tiles fits that; see make_device_renderer().
-  DevicePictures(cl::Context context, std::size_t largest_band);
+  // No band gets more than `max_band` bytes, where one row of tiles fits that; see make_device_renderer().
+  DevicePictures(cl::Context context, std::size_t max_band);
 
   DevicePicture picture(FrameBuffer& frame);
 
@@ -35,7 +35,7 @@ class DevicePictures {
   cl::Buffer wrap(void* memory, std::size_t bytes);
 
   cl::Context context_;
-  std::size_t largest_band_;
+  std::size_t max_band_;
   std::map<std::pair<void*, std::size_t>, cl::Buffer> buffers_;
 };
 

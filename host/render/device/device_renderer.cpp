@@ -28,8 +28,8 @@ std::string depth_options(DepthFormat format) {
 
 class DeviceRenderer : public Renderer {
  public:
-  DeviceRenderer(std::shared_ptr<Session> session, std::size_t largest_band)
-      : session_(std::move(session)), memory_(session_), pictures_(session_->context(), largest_band) {}
+  DeviceRenderer(std::shared_ptr<Session> session, std::size_t max_band)
+      : session_(std::move(session)), memory_(session_), pictures_(session_->context(), max_band) {}
 
   void render(const FramePlan& plan, FrameBuffer& frame) override {
     require_fit(plan, frame);
@@ -91,7 +91,7 @@ class DeviceRenderer : public Renderer {
 
   // False when vertices and what belongs to them had to move, and are lost.
   bool make_room(layout::FrameConstants& constants) {
-    const BinSizes sizes = lay_out_bins(session_->info().largest_allocation, pools_, constants);
+    const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools_, constants);
     const FrameTables& tables = memory_.tables();
     const std::size_t records = constants.first_clip_vertex;
     const std::size_t faces = std::size_t{constants.primitive_group_count} * layout::lanes;
@@ -218,8 +218,8 @@ class DeviceRenderer : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t largest_band) {
-  return std::make_unique<DeviceRenderer>(std::move(session), largest_band);
+std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t max_band) {
+  return std::make_unique<DeviceRenderer>(std::move(session), max_band);
 }
 
 }  // namespace morphcl

@@ -11,8 +11,8 @@
 namespace morphcl {
 
 // A picture is handed to the device as one buffer, or band by band where it has more bytes than the device allocates in
-// one piece. `largest_band` lowers that limit; a band has a row of tiles (64 pixels) at least.
+// one piece. `max_band` lowers that limit; a band has a row of tiles (64 pixels) at least.
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session,
-                                               std::size_t largest_band = std::numeric_limits<std::size_t>::max());
+                                               std::size_t max_band = std::numeric_limits<std::size_t>::max());
 
 }  // namespace morphcl

@@ -24,13 +24,14 @@ class Allocation {
   }
   // Error(bad_input) when it is more than the device allocates at once, or than offsets can say.
   void check(const char* what, std::size_t limit_bytes) const {
-    const std::size_t most = std::min(limit_bytes, std::size_t{layout::no_id} * 4);
-    if (size_ * 4 <= most) return;
+    const std::size_t max_bytes = std::min(limit_bytes, std::size_t{layout::no_id} * 4);
+    if (size_ * 4 <= max_bytes) return;
     constexpr double mebibyte = 1 << 20;
-    throw Error(ErrorKind::bad_input, "",
-                fmt::format("the meshes' {} take {:.0f} MiB, and the device allocates at most {:.0f} MiB at once; use "
-                            "fewer vertices or morph targets, or another device",
-                            what, static_cast<double>(size_) * 4 / mebibyte, static_cast<double>(most) / mebibyte));
+    throw Error(
+        ErrorKind::bad_input, "",
+        fmt::format("the meshes' {} take {:.0f} MiB, and the device allocates at most {:.0f} MiB at once; use "
+                    "fewer vertices or morph targets, or another device",
+                    what, static_cast<double>(size_) * 4 / mebibyte, static_cast<double>(max_bytes) / mebibyte));
   }
   std::size_t size() const { return size_; }
 
@@ -162,7 +163,7 @@ void MeshStore::upload_displaced(const Draw& draw) {
 }
 
 void MeshStore::upload() {
-  const std::size_t limit = session_->info().largest_allocation;
+  const std::size_t limit = session_->info().max_allocation;
   Allocation data, indices;
   std::unordered_map<const Mesh*, std::vector<glm::uvec2>> edges;
   for (const Mesh* mesh : order_) {

@@ -8,7 +8,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::size_t most_notes = 16;
+constexpr std::size_t max_notes = 16;
 
 std::string_view name_of(VertexForm form) {
   constexpr std::array<std::string_view, 3> names = {"fp32", "fp32 relative to a pivot", "two floats"};
@@ -42,7 +42,7 @@ std::vector<PlanNote> accuracy_notes(const Scene& scene, const FramePlan& plan, 
   PlanNote others;
   for (const Draw& draw : plan.draws) {
     const std::string item = fmt::format("vertices of \"{}\"", scene.objects[draw.object].name);
-    const bool room = notes.size() < most_notes;
+    const bool room = notes.size() < max_notes;
     if (!draw.accuracy) {
       if (room)
         notes.push_back({item, true, "fp32, without a bound: it moves on springs", 0});

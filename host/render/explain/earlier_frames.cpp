@@ -9,7 +9,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::size_t most_frames = 1000;
+constexpr std::size_t max_frames = 1000;
 
 bool same_form(const Draw& a, const Draw& b) {
   const VertexAccuracy plain;
@@ -59,7 +59,7 @@ std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, cons
 std::optional<std::int64_t> find_equal_frame(const Planner& planner, const Scene& scene, const FramePlan& plan) {
   const std::vector<std::int64_t> frames = frames_before(scene, plan.frame);
   const PlanDigest digest = pixel_digest(plan);
-  const std::size_t looked_at = std::min(frames.size(), most_frames);
+  const std::size_t looked_at = std::min(frames.size(), max_frames);
   for (std::size_t i = 0; i < looked_at; ++i) {
     const std::int64_t earlier = frames[frames.size() - 1 - i];
     const std::optional<FramePlan> other = try_plan(planner, earlier);

@@ -88,17 +88,16 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   // Neither these nor the picture is a buffer that may be too large: where they do not fit, a device gets the lists of
   // fewer chunks, and the picture in as many pieces as it wants.
   need.bins += sizes.bins;
-  const std::size_t samples = static_cast<std::size_t>(constants.tiles_x) * static_cast<std::size_t>(constants.tiles_y) *
-                              layout::tile * layout::tile;
+  const std::size_t samples = static_cast<std::size_t>(constants.tiles_x) *
+                              static_cast<std::size_t>(constants.tiles_y) * layout::tile * layout::tile;
   need.pixels = samples * ((plan.color ? 8u : 0u) + (plan.depth ? 4u : 0u));
   return need;
 }
 
-std::string exceeded_limit(const MemoryNeed& need, std::size_t largest_allocation) {
-  if (need.largest_buffer <= largest_allocation) return "";
+std::string exceeded_limit(const MemoryNeed& need, std::size_t max_allocation) {
+  if (need.largest_buffer <= max_allocation) return "";
   return fmt::format("{} need {:.1f} MiB in one piece; the device allocates at most {:.1f} MiB", need.largest_name,
-                     static_cast<double>(need.largest_buffer) / 0x1p20,
-                     static_cast<double>(largest_allocation) / 0x1p20);
+                     static_cast<double>(need.largest_buffer) / 0x1p20, static_cast<double>(max_allocation) / 0x1p20);
 }
 
 }  // namespace morphcl

@@ -22,6 +22,6 @@ struct MemoryNeed {
 MemoryNeed estimate_memory(const FramePlan& plan);
 
 // "" where every buffer fits into what the device allocates at once; else which does not, with the numbers.
-std::string exceeded_limit(const MemoryNeed& need, std::size_t largest_allocation);
+std::string exceeded_limit(const MemoryNeed& need, std::size_t max_allocation);
 
 }  // namespace morphcl

@@ -80,12 +80,12 @@ void BinPools::grow_to_clipped(uint needed) {
   if (needed > clipped) clipped = with_margin(needed);
 }
 
-BinSizes lay_out_bins(std::size_t largest_allocation, BinPools& pools, layout::FrameConstants& constants) {
+BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants) {
   for (uint max_chunks = 64;; max_chunks /= 2) {
     set_chunks(max_chunks, constants);
     const BinPools guessed = with_guess(pools, constants);
     const BinSizes sizes = lay_out(guessed, constants);
-    if (sizes.bins > largest_allocation && max_chunks > 1) continue;
+    if (sizes.bins > max_allocation && max_chunks > 1) continue;
     pools = guessed;
     return sizes;
   }

@@ -21,10 +21,10 @@ struct BinSizes {
   std::size_t bins, fragment_keys, large, clipped;
 };
 
-// Shares out a frame's primitives to chunks, and sets chunk_count, primitive_groups_per_chunk, capacities and offsets in
-// the constants, whose size and numbers of groups are set. Chunks are a matter of load only: enough of them for the
+// Shares out a frame's primitives to chunks, and sets chunk_count, primitive_groups_per_chunk, capacities and offsets
+// in the constants, whose size and numbers of groups are set. Chunks are a matter of load only: enough of them for the
 // threads, each big enough to be worth its bins, but so few that `bins` is no larger than what the device allocates at
 // once. Pools that are too small for a guess at the frame grow.
-BinSizes lay_out_bins(std::size_t largest_allocation, BinPools& pools, layout::FrameConstants& constants);
+BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants);
 
 }  // namespace morphcl

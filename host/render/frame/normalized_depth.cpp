@@ -37,14 +37,14 @@ TwoFloat normalized_depth_of(float distance, const FramePlan& plan) {
 
 std::uint32_t key_of(const TwoFloat& normalized_depth, DepthFormat format) {
   if (format == DepthFormat::forward_float) return float_key(normalized_depth);
-  const double most = steps_of(format);
-  const auto steps_high = static_cast<float>(most), steps_low = static_cast<float>(most - double{steps_high});
+  const double max_key = steps_of(format);
+  const auto steps_high = static_cast<float>(max_key), steps_low = static_cast<float>(max_key - double{steps_high});
   const TwoFloat steps = normalized_depth * TwoFloat{steps_high, steps_low};
   const float high = std::min(steps.high < 0.0f ? 0.0f : steps.high, steps_high);
   const float whole = std::nearbyint(high);
   const std::int64_t key =
       static_cast<std::int64_t>(whole) + static_cast<std::int64_t>(std::nearbyint((high - whole) + steps.low));
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(key, 0, static_cast<std::int64_t>(most)));
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(key, 0, static_cast<std::int64_t>(max_key)));
 }
 
 float decoded_depth(std::uint32_t key, const FramePlan& plan) {

@@ -28,4 +28,7 @@ struct RasterGrid {
   static float guard(float half_size) { return std::min(layout::max_subpixel / half_size - 1.0f, layout::max_guard); }
 };
 
+// Of a pixel's column or row, in sub-pixels.
+constexpr int pixel_centre(int pixel) { return pixel * layout::subpixels + layout::half_pixel; }
+
 }  // namespace morphcl

@@ -20,7 +20,7 @@ double length_of(const Mesh& mesh, const WeldedMesh& welded, const glm::uvec2& e
 
 void add_edges(const Mesh& mesh, const WeldedMesh& welded, const Elastic& elastic, SpringNet& net) {
   // An edge without length is as stiff as one of this part of the mean.
-  constexpr double least_part = 1e-3;
+  constexpr double min_part = 1e-3;
   double mean = 0;
   for (const glm::uvec2& edge : welded.edges)
     mean += length_of(mesh, welded, edge) / static_cast<double>(welded.edges.size());
@@ -28,7 +28,7 @@ void add_edges(const Mesh& mesh, const WeldedMesh& welded, const Elastic& elasti
   for (const glm::uvec2& edge : welded.edges) {
     double stiffness = elastic.stiffness;
     if (elastic.rule == EdgeStiffness::by_length && mean > 0)
-      stiffness *= mean / std::max(length_of(mesh, welded, edge), least_part * mean);
+      stiffness *= mean / std::max(length_of(mesh, welded, edge), min_part * mean);
     if (stiffness > 0) net.edges.push_back({edge.x, edge.y, stiffness});
   }
 }

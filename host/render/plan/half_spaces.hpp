@@ -30,22 +30,22 @@ class HalfSpaces {
       const double middle = dot(p.normal, box.center) + p.offset, reach = dot(p.absolute, box.half);
       const double terms = dot(p.terms, box.magnitude) + p.offset_terms, margin = slack * terms;
       if (middle + reach < -margin) return Side::outside;
-      if (!(middle - reach > margin && terms < largest_terms)) result = Side::touching;
+      if (!(middle - reach > margin && terms < max_terms)) result = Side::touching;
     }
     return result;
   }
 
  private:
   static constexpr double slack = 1e-6;  // > 10 * 2^-24
-  static constexpr double largest_terms = 1e33;
-  static constexpr int most_planes = 6;
+  static constexpr double max_terms = 1e33;
+  static constexpr int max_planes = 6;
   struct Plane {
     glm::dvec3 normal, absolute, terms;  // absolute = |normal|; terms: without what cancels when rows are combined
     double offset, offset_terms;
   };
   static double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  Plane planes_[most_planes];
+  Plane planes_[max_planes];
   int count_ = 0;
 };
 

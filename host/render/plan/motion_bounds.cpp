@@ -12,28 +12,28 @@ namespace {
 
 // The binary64 arithmetic of a chain of at most 64 nodes is off by far less than this part of the magnitudes.
 constexpr double rounding = 1e-12;
-constexpr int most_moving_nodes = 64;
+constexpr int max_moving_nodes = 64;
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // At least the factor by which the matrix stretches any vector: the root of the largest row sum of A^T A (Gershgorin),
 // exact where the columns are at right angles.
 double stretch(const glm::dmat3& a) {
-  double most = 0;
+  double max_scale = 0;
   for (int i = 0; i < 3; ++i) {
     double row = 0;
     for (int j = 0; j < 3; ++j) row += std::abs(glm::dot(a[i], a[j]));
-    most = std::max(most, row);
+    max_scale = std::max(max_scale, row);
   }
-  return std::sqrt(most) * (1 + rounding);
+  return std::sqrt(max_scale) * (1 + rounding);
 }
 
 // The largest sum of magnitudes in a row.
 double row_sum(const glm::dmat3& a) {
-  double most = 0;
+  double max_sum = 0;
   for (int row = 0; row < 3; ++row)
-    most = std::max(most, std::abs(a[0][row]) + std::abs(a[1][row]) + std::abs(a[2][row]));
-  return most;
+    max_sum = std::max(max_sum, std::abs(a[0][row]) + std::abs(a[1][row]) + std::abs(a[2][row]));
+  return max_sum;
 }
 
 struct VectorRange {
@@ -63,10 +63,10 @@ struct Ball {
     magnitude = row_sum(linear) * magnitude + largest(glm::dvec3(matrix[3]));
   }
   void scale(const VectorRange& factor) {
-    const double most = largest(glm::abs(factor.middle) + factor.half);
-    radius = radius * most + glm::length(factor.half * center);
+    const double max_factor = largest(glm::abs(factor.middle) + factor.half);
+    radius = radius * max_factor + glm::length(factor.half * center);
     center *= factor.middle;
-    magnitude *= most;
+    magnitude *= max_factor;
   }
   void turn_anyhow() {
     radius += glm::length(center);
@@ -128,7 +128,7 @@ std::optional<BoundedBox> bounds_over_time(const std::vector<Node>& nodes, const
     Ball ball{sphere.center, sphere.radius, std::max(largest(box.lower), largest(box.upper))};
     int moving = 0;
     for (; node >= 0 && !sampler.is_still(node); node = nodes[node].parent) {
-      if (++moving > most_moving_nodes) return std::nullopt;
+      if (++moving > max_moving_nodes) return std::nullopt;
       apply_node(nodes[node], ball);
     }
     if (node >= 0) ball.apply(sampler.still_to_world(node));

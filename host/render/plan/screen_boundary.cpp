@@ -23,8 +23,8 @@ std::uint64_t hash(const GridPoint& a, const GridPoint& b) {
 
 }  // namespace
 
-ScreenBoundary::ScreenBoundary(std::size_t most_triangles) : slots_(std::bit_ceil(6 * most_triangles + 2), empty) {
-  edges_.reserve(3 * most_triangles);
+ScreenBoundary::ScreenBoundary(std::size_t max_triangles) : slots_(std::bit_ceil(6 * max_triangles + 2), empty) {
+  edges_.reserve(3 * max_triangles);
 }
 
 void ScreenBoundary::add(const GridPoint& a, const GridPoint& b, const GridPoint& c) {

@@ -22,7 +22,7 @@ inline std::int64_t doubled_area(const GridPoint& a, const GridPoint& b, const G
 // linear in the triangles.
 class ScreenBoundary {
  public:
-  explicit ScreenBoundary(std::size_t most_triangles);
+  explicit ScreenBoundary(std::size_t max_triangles);
 
   void add(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 

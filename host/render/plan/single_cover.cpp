@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "host/math/unit_roundoff.hpp"
 #include "host/render/frame/normalized_depth.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 #include "host/render/plan/screen_boundary.hpp"
@@ -17,7 +18,7 @@ using reference::Vertex;
 
 // The proof takes about 0.1 us a triangle and saves up to 2 % of a frame: it is for the large triangles of small
 // meshes.
-constexpr std::size_t most_triangles = 64;
+constexpr std::size_t max_triangles = 64;
 
 std::vector<Vertex> project(const FramePlan& plan) {
   Draw draw = plan.draws[0];
@@ -27,14 +28,15 @@ std::vector<Vertex> project(const FramePlan& plan) {
 }
 
 // At least as much as the depth that renderers compute at a pixel of this triangle can leave the interval of its
-// corners'. Renderers measure from a corner to the pixel, at most a tile of 64 pixels beyond the triangle's box: two
-// products of differences and one of depths each, over the area, 16 roundings of 2^-24 at most.
+// corners'. Renderers measure from a corner to the pixel, at most a tile beyond the triangle's box: two
+// products of differences and one of depths each, over the area, 16 roundings at most.
 double depth_rounding(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double area) {
   const double extent = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y),
                                   std::abs(c.x - b.x), std::abs(c.y - b.y)});
   const double rise = std::max(std::abs(double{b.depth} - a.depth), std::abs(double{c.depth} - a.depth)) +
                       std::abs(double{c.depth} - b.depth);
-  return 16 * 0x1p-24 * (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + 64 * 256) / area));
+  return 16 * unit_roundoff<float> *
+         (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + layout::tile * layout::subpixels) / area));
 }
 
 // Whether no pixel of the triangle can reach the far plane. Forward depth buffers add up its corners' normalized depth
@@ -56,8 +58,8 @@ std::optional<ScreenBoundary> find_boundary(const FramePlan& plan) {
   if (plan.draws.size() != 1 || plan.clips) return std::nullopt;
   const Draw& draw = plan.draws[0];
   const std::vector<glm::uvec3>& triangles = draw.mesh->triangles;
-  if (draw.double_sided || draw.shading == Shading::wireframe || triangles.size() > most_triangles ||
-      draw.mesh->positions.size() > 3 * most_triangles)
+  if (draw.double_sided || draw.shading == Shading::wireframe || triangles.size() > max_triangles ||
+      draw.mesh->positions.size() > 3 * max_triangles)
     return std::nullopt;
   const std::vector<Vertex> vertices = project(plan);
   ScreenBoundary boundary(triangles.size());

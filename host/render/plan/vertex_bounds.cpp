@@ -1,4 +1,5 @@
 #include "host/render/plan/vertex_bounds.hpp"
+#include "host/math/unit_roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr double u32 = 0x1p-24, u64 = 0x1p-53;
+constexpr double u32 = unit_roundoff<float>, u64 = unit_roundoff<double>;
 constexpr double half_grid_step = (1 + 0x1p-20) / 512;  // pixels; a vertex next to a tie may take the other side
 constexpr double tiny = 0x1p-120;                       // underflow
 constexpr double second_order = 1 + 1e-5;               // products of errors, for up to 10^5 roundings
@@ -51,14 +52,14 @@ double row_error(const VertexTerms& t, VertexForm form, int r) {
 // w of the box's corners, and the largest |coordinate / w| there; of a box that is entirely in front of the eye, the
 // corners have the extremes.
 struct Corners {
-  double least_w = infinity;
+  double min_w = infinity;
   double largest_ratio[2] = {0, 0};
 };
 Corners corners_of(const VertexTerms& t) {
   Corners corners;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec4 p = t.object_to_clip * glm::dvec4(t.box.corner(i), 1.0);
-    corners.least_w = std::min(corners.least_w, p.w);
+    corners.min_w = std::min(corners.min_w, p.w);
     for (int axis = 0; axis < 2; ++axis)
       corners.largest_ratio[axis] = std::max(corners.largest_ratio[axis], std::abs(p[axis] / p.w));
   }
@@ -82,10 +83,10 @@ std::array<double, 3> vertex_error_bounds(const VertexTerms& terms, const Screen
         return w > 0 ? (error + ratio * error_w) / w + rounded * ratio : infinity;
       };
       // Either the exact quotient is bounded and the computed w, or the other way round.
-      double relative = moved(guard * (1 + 0x1p-20), std::max(corners.least_w, screen.near_w - error_w));
-      if (corners.least_w > 0)
+      double relative = moved(guard * (1 + 0x1p-20), std::max(corners.min_w, screen.near_w - error_w));
+      if (corners.min_w > 0)
         relative = std::min(relative, moved(corners.largest_ratio[axis] * (1 + 1e-9),
-                                            std::max(double{screen.near_w}, corners.least_w - error_w)));
+                                            std::max(double{screen.near_w}, corners.min_w - error_w)));
       const double pixels = 0.5 * (axis == 0 ? screen.width : screen.height) * relative;
       bound = std::max(bound, pixels + half_grid_step);
     }

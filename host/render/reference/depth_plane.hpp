@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/render/frame/kernel_layout.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/frame/normalized_depth.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 
@@ -17,7 +18,6 @@ struct StoredDepth {
   bool in_range = true;   // of forward buffers: not beyond the far plane. The reversed one compares with its background
 };
 
-inline int pixel_centre(int pixel) { return pixel * layout::subpixels + layout::half_pixel; }
 
 // Triangles a b c whose doubled area is positive.
 

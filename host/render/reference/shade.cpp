@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/reference/light.hpp"
 
 namespace morphcl::reference {
@@ -17,8 +18,8 @@ struct Weights {
 Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], int x, int y) {
   float dx[3], dy[3];
   for (int i = 0; i < 3; ++i) {
-    dx[i] = static_cast<float>(corner[i].x - (x * 256 + 128));
-    dy[i] = static_cast<float>(corner[i].y - (y * 256 + 128));
+    dx[i] = static_cast<float>(corner[i].x - pixel_centre(x));
+    dy[i] = static_cast<float>(corner[i].y - pixel_centre(y));
   }
   Weights w;
   for (int i = 0; i < 3; ++i) {
@@ -58,7 +59,9 @@ glm::vec3 eye_position(const FramePlan& plan, int x, int y, float distance) {
 
 }  // namespace
 
-float eye_distance(const FramePlan& plan, float depth) { return plan.camera.parallel ? -depth : plan.camera.near / depth; }
+float eye_distance(const FramePlan& plan, float depth) {
+  return plan.camera.parallel ? -depth : plan.camera.near / depth;
+}
 
 glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
                 int x, int y) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/render/frame/kernel_layout.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/depth_plane.hpp"
 
@@ -44,8 +45,8 @@ class Rasterizer {
     }
     // Small triangles measure depth from their own box, the others from the tile's corner, starting at the farthest
     // vertex.
-    const int most = layout::tile * 256;
-    const bool small = may_be_small && high_x - low_x < most && high_y - low_y < most &&
+    const int max_extent = layout::tile * layout::subpixels;
+    const bool small = may_be_small && high_x - low_x < max_extent && high_y - low_y < max_extent &&
                        last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
     if (!small) turn_farthest_first(a, b, c);
     const ReversedPlane plane(a, b, c, area);
@@ -65,7 +66,7 @@ class Rasterizer {
     for (int along = 0; along < limit; ++along) {
       const std::int64_t offset = pixel_centre(along) - start;
       if (offset < 0 || offset >= run) continue;
-      const std::int64_t numerator = across * run + rise * offset, denominator = run * 256;
+      const std::int64_t numerator = across * run + rise * offset, denominator = run * layout::subpixels;
       const std::int64_t other = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
       if (other < 0 || other >= (steep ? plan_.width : plan_.height)) continue;
       cover(steep ? static_cast<int>(other) : along, steep ? along : static_cast<int>(other),

@@ -19,7 +19,7 @@ namespace morphcl {
 namespace {
 
 constexpr double fovy_degrees = 45, used_part = 0.7;
-constexpr std::size_t most_samples = 101, most_object_samples = 500'000;
+constexpr std::size_t max_samples = 101, max_object_samples = 500'000;
 const glm::dvec3 view_from(1, 0.8, 1.7);
 
 bool moves(const Scene& scene) {
@@ -37,8 +37,8 @@ bool moves(const Scene& scene) {
 std::vector<std::int64_t> sample_frames(const Scene& scene) {
   const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
   if (!moves(scene)) return {frames.front()};
-  const std::size_t affordable = most_object_samples / std::max<std::size_t>(scene.objects.size(), 1);
-  const std::size_t samples = std::min(frames.size(), std::clamp<std::size_t>(affordable, 2, most_samples));
+  const std::size_t affordable = max_object_samples / std::max<std::size_t>(scene.objects.size(), 1);
+  const std::size_t samples = std::min(frames.size(), std::clamp<std::size_t>(affordable, 2, max_samples));
   std::vector<std::int64_t> chosen;
   for (std::size_t i = 0; i < samples; ++i)
     chosen.push_back(frames[samples == 1 ? 0 : i * (frames.size() - 1) / (samples - 1)]);

@@ -9,7 +9,7 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::size_t longest_compared = 64, most_compared = 1000, most_listed = 12;
+constexpr std::size_t longest_compared = 64, max_compared = 1000, max_listed = 12;
 
 // Optimal string alignment distance: Levenshtein's with swaps of neighbours.
 std::size_t edits(std::string_view a, std::string_view b) {
@@ -35,7 +35,7 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
   if (candidates.empty()) return "";
   std::string_view best;
   std::size_t fewest = longest_compared;
-  for (std::size_t i = 0; i < std::min(candidates.size(), most_compared) && name.size() <= longest_compared; ++i) {
+  for (std::size_t i = 0; i < std::min(candidates.size(), max_compared) && name.size() <= longest_compared; ++i) {
     const std::string_view candidate = candidates[i];
     if (candidate.size() > longest_compared) continue;
     const std::size_t distance = edits(name, candidate);
@@ -45,7 +45,7 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
     }
   }
   if (!best.empty()) return fmt::format("; did you mean \"{}\"?", best);
-  const std::size_t listed = std::min(candidates.size(), most_listed);
+  const std::size_t listed = std::min(candidates.size(), max_listed);
   return fmt::format("; known: {}{}",
                      fmt::join(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(listed), ", "),
                      candidates.size() > listed ? ", ..." : "");

@@ -6,12 +6,12 @@ namespace morphcl {
 
 namespace {
 
-void read_number(const ShotTable& table, const char* key, double least, double most, double& number) {
+void read_number(const ShotTable& table, const char* key, double min, double max, double& number) {
   const auto value = table.find(key);
   if (!value) return;
   number = value->number();
-  if (!(number >= least && number <= most))
-    value->fail(fmt::format("{} is {}; {} to {} is possible", key, number, least, most));
+  if (!(number >= min && number <= max))
+    value->fail(fmt::format("{} is {}; {} to {} is possible", key, number, min, max));
 }
 
 }  // namespace

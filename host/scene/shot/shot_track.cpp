@@ -114,10 +114,10 @@ Interpolation key_rule(const ShotValue& given, const std::vector<std::string_vie
   return name == "step" ? Interpolation::step : name == "linear" ? Interpolation::linear : Interpolation::cubic;
 }
 
-double read_within(const ShotValue& value, double least, double most, const char* unit) {
+double read_within(const ShotValue& value, double min, double max, const char* unit) {
   const double number = value.number();
-  if (!(number >= least && number <= most))
-    value.fail(fmt::format("{} is {}; {} to {}{} is possible", value.name(), number, least, most, unit));
+  if (!(number >= min && number <= max))
+    value.fail(fmt::format("{} is {}; {} to {}{} is possible", value.name(), number, min, max, unit));
   return number;
 }
 

@@ -86,13 +86,13 @@ class JudgedScene {
                                          plan.height);
     v.shift_x = std::abs(static_cast<double>(rendered.screen.x - v.screen.x));
     v.shift_y = std::abs(static_cast<double>(rendered.screen.y - v.screen.y));
-    const auto most = [&](int row, double value, double half) {
+    const auto max = [&](int row, double value, double half) {
       const double error =
           roundings * u * terms(draw.object_to_clip[row]) / exact.w + std::abs(value / exact.w) * v.bound;
       return 1 + std::floor(error * half);
     };
-    EXPECT_LE(v.shift_x, most(0, exact.x, 128.0 * plan.width)) << "vertex " << i;
-    EXPECT_LE(v.shift_y, most(1, exact.y, 128.0 * plan.height)) << "vertex " << i;
+    EXPECT_LE(v.shift_x, max(0, exact.x, 128.0 * plan.width)) << "vertex " << i;
+    EXPECT_LE(v.shift_y, max(1, exact.y, 128.0 * plan.height)) << "vertex " << i;
     return v;
   }
 
@@ -150,7 +150,7 @@ TEST(ErrorBound, Distances) {
       const auto hit = triangle.unclipped ? judge.truth.hit(shown.object, shown.primitive, x, y) : std::nullopt;
       if (!hit) continue;
       const double error = judge.plan.camera.parallel ? std::abs(shown.distance - hit->distance)
-                                               : std::abs(1 / double{shown.distance} - 1 / hit->distance);
+                                                      : std::abs(1 / double{shown.distance} - 1 / hit->distance);
       const double stored = u * (judge.plan.camera.parallel ? std::abs(hit->distance) : 2 / hit->distance);
       const double bound = triangle.depth_bound(judge.plan.camera.parallel) + stored;
       ASSERT_LE(error, bound) << "pixel " << x << ", " << y << ": distance " << shown.distance << ", exact "
