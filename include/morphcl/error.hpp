@@ -1,4 +1,4 @@
-// Errors as values with an address.
+// What goes wrong is thrown as an Error: its kind, where, and one line that says what would be right.
 //
 // Every failure that a user can cause is one `Error`: what kind it is (which decides the exit code of the command line
 // tool) and one line of text "PLACE: what is wrong; what would be right". PLACE is "file", "file:line:column" or
