@@ -1,5 +1,5 @@
-// The depth buffer that a program is compiled for: -DDEPTH_FORMAT=N, N as in include/morphcl/depth_format.hpp. Programs for
-// the default hold nothing of the others.
+// The depth buffer that a program is compiled for: -DDEPTH_FORMAT=N, N as in include/morphcl/depth_format.hpp. Programs
+// for the default hold nothing of the others.
 
 #ifndef MORPHCL_DEPTH_FORMAT_H
 #define MORPHCL_DEPTH_FORMAT_H

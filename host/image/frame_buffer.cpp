@@ -59,10 +59,9 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
 FrameBuffer::Memory FrameBuffer::memory() {
   const bool notes_hold = any_blank_;
   any_blank_ = true;
-  const Memory memory{memory_.get(),  row_bytes_,
-                      bytes(),        {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
-                      depth_offset(), notes_offset(),
-                      notes_hold};
+  const Memory memory{
+      memory_.get(),  row_bytes_,     bytes(),   {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
+      depth_offset(), notes_offset(), notes_hold};
   // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
   if (!notes_hold)
     for (int tile_y = 0; tile_y < tiles_y_; ++tile_y) std::fill_n(&memory.note(0, tile_y), tiles_x_, 0u);

@@ -2,12 +2,12 @@
 //
 // One piece of memory holds the whole frame. A row of the picture is a row of each channel, one after the other, as in
 // a scan line of an EXR file: R, G, B, A, then Z, of which those that were not asked for are left out; last come notes
-// for the renderer. Any number of channels fits this, and some rows of the picture are one contiguous piece, which can be handed to a device that does
-// not take the whole at once. The next row starts row_bytes() further on. What lies in a row behind a channel's width()
-// elements is padding without meaning, as are rows below the picture: both are rounded up to whole tiles (64 pixels),
-// so that kernels store whole vectors. Every row of every channel starts on a cache line, and the frame on a page (one
-// of 2 MB and more on a huge page), so that OpenCL can use it in place. Every element is 0 until it is written, and
-// memory is only taken where something was written.
+// for the renderer. Any number of channels fits this, and some rows of the picture are one contiguous piece, which can
+// be handed to a device that does not take the whole at once. The next row starts row_bytes() further on. What lies in
+// a row behind a channel's width() elements is padding without meaning, as are rows below the picture: both are rounded
+// up to whole tiles (64 pixels), so that kernels store whole vectors. Every row of every channel starts on a cache
+// line, and the frame on a page (one of 2 MB and more on a huge page), so that OpenCL can use it in place. Every
+// element is 0 until it is written, and memory is only taken where something was written.
 //
 // The frame knows which of its tiles are blank (background everywhere), so that a renderer need not write them again
 // and an encoder need not look at them.
@@ -69,9 +69,7 @@ class FrameBuffer {
   // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour channel and the background's depth.
   int tiles_x() const { return tiles_x_; }
   int tiles_y() const { return tiles_y_; }
-  bool blank(int tile_x, int tile_y) const {
-    return any_blank_ && note(tile_x, tile_y) == all_blocks;
-  }
+  bool blank(int tile_x, int tile_y) const { return any_blank_ && note(tile_x, tile_y) == all_blocks; }
 
   // The same of a block of 16 x 16 pixels.
   bool blank_block(int block_x, int block_y) const {

@@ -24,7 +24,8 @@ struct PixelSpan {
 template <class Coordinate>
 PixelSpan pixels_between(const Coordinate& low, const Coordinate& high, int size) {
   // Any coordinate of the guard band fits; one pixel more on both sides spares a rounding rule.
-  const int first = static_cast<int>(low) / layout::subpixels - 2, last = static_cast<int>(high) / layout::subpixels + 2;
+  const int first = static_cast<int>(low) / layout::subpixels - 2,
+            last = static_cast<int>(high) / layout::subpixels + 2;
   return {std::max(first, 0), std::min(last, size - 1)};
 }
 

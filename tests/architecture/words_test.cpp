@@ -22,7 +22,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
-const fs::path source_root = MORPHCL_SOURCE_DIR;
+const fs::path repository = MORPHCL_SOURCE_DIR;
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path);
@@ -33,7 +33,7 @@ std::string text_of(const fs::path& path) {
 
 std::vector<std::string> listed_words() {
   std::vector<std::string> words;
-  std::istringstream lines(text_of(source_root / "tests/architecture/words.txt"));
+  std::istringstream lines(text_of(repository / "tests/architecture/words.txt"));
   for (std::string line; std::getline(lines, line);)
     if (!line.empty() && line[0] != '#') words.push_back(line.substr(0, line.find(' ')));
   return words;
@@ -103,7 +103,7 @@ TEST(Words, NoNameOfTheLibraryHasOneThatIsListed) {
   ASSERT_THAT(words, Not(IsEmpty()));
   std::size_t files = 0;
   for (const char* folder : {"kernels", "host", "anim", "include"})
-    for (const auto& entry : fs::recursive_directory_iterator(source_root / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(repository / folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".cpp" && extension != ".hpp" && extension != ".h" && extension != ".cl") continue;
       ++files;

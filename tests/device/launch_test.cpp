@@ -12,9 +12,9 @@ namespace {
 
 using testing::shared_session;
 
-const KernelSource source = {"launch_test",
-                             "tests/device/launch_test.cpp",
-                             R"CL(
+const KernelSource launch_source = {"launch_test",
+                                    "tests/device/launch_test.cpp",
+                                    R"CL(
 kernel void fill(global int* values, int value) { values[get_global_id(0)] = value; }
 kernel void subtract(global const int* values, global const int* others, global int* results) {
   results[get_global_id(0)] = values[get_global_id(0)] - others[get_global_id(0)];
@@ -33,10 +33,10 @@ kernel void apply(global float* numbers, Settings settings) {
   numbers[get_global_id(0)] = numbers[get_global_id(0)] * settings.factor + settings.offset;
 }
 )CL",
-                             {{"fill", {{"values", "int"}, {"value", "int"}}},
-                              {"subtract", {{"values", "int"}, {"others", "int"}, {"results", "int"}}},
-                              {"sum_of_group", {{"values", "int"}, {"shared", "int"}, {"results", "int"}}},
-                              {"apply", {{"numbers", "float"}, {"settings", "Settings"}}}}};
+                                    {{"fill", {{"values", "int"}, {"value", "int"}}},
+                                     {"subtract", {{"values", "int"}, {"others", "int"}, {"results", "int"}}},
+                                     {"sum_of_group", {{"values", "int"}, {"shared", "int"}, {"results", "int"}}},
+                                     {"apply", {{"numbers", "float"}, {"settings", "Settings"}}}}};
 
 struct Values {
   using Element = cl_int;
@@ -92,7 +92,7 @@ static_assert(CanBeMappedAs<cl_int> && !CanBeMappedAs<float> && !CanBeMappedAs<c
 
 class Launch : public ::testing::Test {
  protected:
-  Kernel kernel(const char* name) { return shared_session().kernel(source, name); }
+  Kernel kernel(const char* name) { return shared_session().kernel(launch_source, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }
   template <class Meaning>
   DeviceBuffer<Meaning> buffer(typename Meaning::Element first = {}) {

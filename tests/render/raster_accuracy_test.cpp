@@ -107,8 +107,8 @@ TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1, 1);
   const auto point = [&](float sign) {
-    reference::Corner corner{{30 * unit(random), 30 * unit(random), plan.camera.near, sign * std::abs(unit(random)) + 0.1f},
-                             {0, 0, 0}};
+    reference::Corner corner{
+        {30 * unit(random), 30 * unit(random), plan.camera.near, sign * std::abs(unit(random)) + 0.1f}, {0, 0, 0}};
     return corner;
   };
   int cut = 0;
@@ -179,7 +179,8 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
       const Exact px = column * 256 + 128, py = row * 256 + 128;
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((py - y[0]) * (x[1] - x[0]) - (px - x[0]) * (y[1] - y[0])) / area;
-      const Exact exact = Exact(plan.camera.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
+      const Exact exact =
+          Exact(plan.camera.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
       const double error = std::abs(static_cast<double>((Exact(actual) - exact) / exact));
       worst = std::max(worst, error);
       ASSERT_LE(error, bound) << "pixel (" << column << ", " << row << "): expected " << static_cast<double>(exact)

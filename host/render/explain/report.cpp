@@ -164,7 +164,8 @@ class Notes {
                                                    : std::string("not judged") + kept,
          costs_.clipping);
     note("perspective divide", plan_.divides,
-         plan_.camera.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "") : "perspective",
+         plan_.camera.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "")
+                               : "perspective",
          costs_.divide);
     note("depth test", plan_.tests_depth,
          plan_.tests_depth           ? "triangles may lie behind others"
@@ -172,8 +173,7 @@ class Notes {
                                      : "no pixel is covered twice: front faces within a star-shaped outline",
          costs_.depth_test);
     if (is_forward(plan_.depth_format))
-      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_format)),
-           costs_.depth_format);
+      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_format)), costs_.depth_format);
   }
 
   void earlier_frames() {

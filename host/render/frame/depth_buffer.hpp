@@ -11,9 +11,9 @@ namespace morphcl {
 // on the far one; depth_far and depth_scale are numbers of about 48 bits, the unevaluated sums of two floats.
 constexpr bool is_forward(DepthFormat format) { return format != DepthFormat::reversed_float; }
 
-// Sets depth_far, depth_scale and depth_span of a camera whose other numbers are set; 0 for reversed_float. `far` is the
-// distance of the far plane, which may be infinite in perspective. Error(usage) when near and far are so close together,
-// or a parallel projection's so far away, that fp32 does not hold these numbers.
+// Sets depth_far, depth_scale and depth_span of a camera whose other numbers are set; 0 for reversed_float. `far` is
+// the distance of the far plane, which may be infinite in perspective. Error(usage) when near and far are so close
+// together, or a parallel projection's so far away, that fp32 does not hold these numbers.
 void set_depth_buffer(DepthFormat format, double far, CameraConstants& camera);
 
 }  // namespace morphcl

@@ -57,11 +57,11 @@ struct FramePlan {
   std::array<float, 3> ambient{};
   CameraConstants camera{};
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer by which renderers tell what is nearest
-  bool clips = true;                  // false: nothing comes near a clip plane, the clip stage is left out
-  bool divides = true;                // false: w is 1 at every vertex, nothing is divided by it
-  bool tests_depth = true;            // false: no pixel centre is covered twice, what comes is not compared
-  bool keeps_vertices = true;         // a draw that is as it was in the frame drawn before keeps its vertices
-  bool keeps_blank_tiles = true;      // tiles that were and stay background are not written again
+  bool clips = true;              // false: nothing comes near a clip plane, the clip stage is left out
+  bool divides = true;            // false: w is 1 at every vertex, nothing is divided by it
+  bool tests_depth = true;        // false: no pixel centre is covered twice, what comes is not compared
+  bool keeps_vertices = true;     // a draw that is as it was in the frame drawn before keeps its vertices
+  bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
 };
 

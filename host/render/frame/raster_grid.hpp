@@ -24,7 +24,8 @@ struct RasterGrid {
  private:
   static constexpr float half_pixels = layout::half_pixel;  // NDC is 2 wide: a pixel's sub-pixels over 2
 
-  // The largest factor for which half_size * (factor + 1) <= max_subpixel, bounded so that tiny images do not overflow w.
+  // The largest factor for which half_size * (factor + 1) <= max_subpixel, bounded so that tiny images do not overflow
+  // w.
   static float guard(float half_size) { return std::min(layout::max_subpixel / half_size - 1.0f, layout::max_guard); }
 };
 

@@ -60,7 +60,8 @@ void choose_vertex_form(const VertexSetting& setting, const FramePlan& plan, Dra
   terms.targets = moving_targets(draw);
 
   VertexAccuracy accuracy;
-  accuracy.bounds = vertex_error_bounds(terms, {plan.width, plan.height, grid.guard_x, grid.guard_y, plan.camera.near_w});
+  accuracy.bounds =
+      vertex_error_bounds(terms, {plan.width, plan.height, grid.guard_x, grid.guard_y, plan.camera.near_w});
   accuracy.form = cheapest(accuracy.bounds, setting.pixels, accuracy.suffices);
   if (accuracy.form == VertexForm::pivot) {
     accuracy.pivot = {pivot.x, pivot.y, pivot.z};

@@ -48,7 +48,8 @@ ViewVolume make_view_volume(const Projection& projection, int width, int height)
   for (int column = 0; column < 4; ++column) volume.eye_to_clip[column][2] = depth_row[column];
 
   // Clip coordinates carry no constant; w is 1 in parallel projections, and in perspective the constant is -near = -z.
-  const glm::dvec4 near_plane = volume.camera.parallel ? glm::dvec4(0, 0, -1, volume.camera.near_depth) : glm::dvec4(0, 0, -1, 1);
+  const glm::dvec4 near_plane =
+      volume.camera.parallel ? glm::dvec4(0, 0, -1, volume.camera.near_depth) : glm::dvec4(0, 0, -1, 1);
   const glm::dvec4 far_plane(0, 0, 1, -volume.camera.far_depth);
   volume.view = {near_plane, far_plane, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
   const RasterGrid grid(width, height);

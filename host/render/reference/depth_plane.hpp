@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "host/render/frame/kernel_layout.hpp"
-#include "host/render/frame/raster_grid.hpp"
 #include "host/render/frame/normalized_depth.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
@@ -17,7 +17,6 @@ struct StoredDepth {
   std::uint32_t key = 0;  // of forward buffers: by this they compare
   bool in_range = true;   // of forward buffers: not beyond the far plane. The reversed one compares with its background
 };
-
 
 // Triangles a b c whose doubled area is positive.
 
