@@ -92,6 +92,8 @@ static_assert(CanBeMappedAs<cl_int> && !CanBeMappedAs<float> && !CanBeMappedAs<c
 
 class Launch : public ::testing::Test {
  protected:
+  // PoCL compiles what is launched on a thread of its own, which must not outlive the process.
+  void TearDown() override { queue().finish(); }
   Kernel kernel(const char* name) { return shared_session().kernel(launch_source, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }
   template <class Meaning>
