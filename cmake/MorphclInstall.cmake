@@ -70,7 +70,8 @@ install(TARGETS morphcl EXPORT morphclTargets ARCHIVE DESTINATION ${CMAKE_INSTAL
 install(EXPORT morphclTargets NAMESPACE morphcl:: DESTINATION ${package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/anim DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl
         FILES_MATCHING PATTERN "*.hpp")
-install(FILES ${PROJECT_SOURCE_DIR}/kernels/layout.h ${PROJECT_SOURCE_DIR}/kernels/transform_kind.h
+install(FILES ${PROJECT_SOURCE_DIR}/kernels/camera.h ${PROJECT_SOURCE_DIR}/kernels/layout.h
+        ${PROJECT_SOURCE_DIR}/kernels/transform_kind.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphcl/kernels)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/morphcl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/demos/ DESTINATION ${CMAKE_INSTALL_DATADIR}/morphcl/demos
