@@ -23,64 +23,32 @@ static_assert(sizeof(TransformConstants) == 32);
 template <class Real>
 constexpr bool is_single = std::is_same_v<Real, float>;
 
+template <class Real, Text name>
+using Reals = std::conditional_t<is_single<Real>, Argument<Real, name, "float">, Argument<Real, name, "double">>;
 template <class Real>
-struct Reals {
-  using Element = Real;
-  static constexpr std::string_view type = is_single<Real> ? "float" : "double";
-};
+using X = Reals<Real, "x">;
 template <class Real>
-struct X : Reals<Real> {
-  static constexpr std::string_view name = "x";
-};
+using Y = Reals<Real, "y">;
 template <class Real>
-struct Y : Reals<Real> {
-  static constexpr std::string_view name = "y";
-};
+using Z = Reals<Real, "z">;
 template <class Real>
-struct Z : Reals<Real> {
-  static constexpr std::string_view name = "z";
-};
+using OutX = Reals<Real, "out_x">;
 template <class Real>
-struct OutX : Reals<Real> {
-  static constexpr std::string_view name = "out_x";
-};
+using OutY = Reals<Real, "out_y">;
 template <class Real>
-struct OutY : Reals<Real> {
-  static constexpr std::string_view name = "out_y";
-};
+using OutZ = Reals<Real, "out_z">;
 template <class Real>
-struct OutZ : Reals<Real> {
-  static constexpr std::string_view name = "out_z";
-};
+using In = Reals<Real, "records">;
 template <class Real>
-struct In : Reals<Real> {
-  static constexpr std::string_view name = "records";
-};
+using Out = Reals<Real, "out">;
 template <class Real>
-struct Out : Reals<Real> {
-  static constexpr std::string_view name = "out";
-};
+using Weight = Reals<Real, "weight">;
 template <class Real>
-struct Weight : Reals<Real> {
-  static constexpr std::string_view name = "weight";
-};
-template <class Real>
-struct Rows {
-  using Element = MatrixRow<Real>;
-  static constexpr std::string_view name = "rows", type = is_single<Real> ? "float4" : "double4";
-};
-struct Index {
-  using Element = cl_uint;
-  static constexpr std::string_view name = "index", type = "uint";
-};
-struct Influence {
-  using Element = cl_ulong;  // four ushorts
-  static constexpr std::string_view name = "influence", type = "ulong";
-};
-struct BadIndex {
-  using Element = cl_uint;
-  static constexpr std::string_view name = "bad_index", type = "uint";
-};
+using Rows = std::conditional_t<is_single<Real>, Argument<MatrixRow<Real>, "rows", "float4">,
+                                Argument<MatrixRow<Real>, "rows", "double4">>;
+using Index = Argument<cl_uint, "index", "uint">;
+using Influence = Argument<cl_ulong, "influence", "ulong">;  // four ushorts
+using BadIndex = Argument<cl_uint, "bad_index", "uint">;
 
 // How the vertices are shared out: `runs` runs of `run_length` for each work-item. A multiple of 16, as the kernels
 // demand. A CPU walks long runs, of records four at a time, as its prefetcher brings in more from several streams than

@@ -1,16 +1,15 @@
 // Buffers that know what they are to kernels: the name of the argument and the type of the elements.
 //
-//   struct Vertices {
-//     using Element = layout::Int4;
-//     static constexpr std::string_view name = "vertices", type = "int4";  // as the kernels declare them
-//   };
+//   using Vertices = Argument<layout::Int4, "vertices", "int4">;  // name and type as the kernels declare them
 //   DeviceBuffer<Vertices> vertices(context);
 //
 // Buffers of different meaning are different types even where their elements are the same, and only elements of the
 // right type go in and come out.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -18,6 +17,20 @@
 #include "host/device/shared_buffer.hpp"
 
 namespace morphcl {
+
+// A text as a template argument.
+template <std::size_t size>
+struct Text {
+  consteval Text(const char (&text)[size]) { std::copy_n(text, size, characters); }
+  constexpr operator std::string_view() const { return {characters, size - 1}; }
+  char characters[size];
+};
+
+template <class ElementType, Text argument_name, Text element_type>
+struct Argument {
+  using Element = ElementType;
+  static constexpr std::string_view name = argument_name, type = element_type;
+};
 
 template <class T>
 concept BufferMeaning = requires {

@@ -12,23 +12,10 @@ namespace morphcl {
 
 namespace {
 
-struct Operands {
-  using Element = float;
-  static constexpr std::string_view type = "float";
-};
-struct A : Operands {
-  static constexpr std::string_view name = "a_values";
-};
-struct B : Operands {
-  static constexpr std::string_view name = "b_values";
-};
-struct C : Operands {
-  static constexpr std::string_view name = "c_values";
-};
-struct Results {
-  using Element = cl_uint;
-  static constexpr std::string_view name = "results", type = "uint";
-};
+using A = Argument<float, "a_values", "float">;
+using B = Argument<float, "b_values", "float">;
+using C = Argument<float, "c_values", "float">;
+using Results = Argument<cl_uint, "results", "uint">;
 
 template <class Meaning>
 DeviceBuffer<Meaning> upload(const cl::Context& context, const cl::CommandQueue& queue,

@@ -1,7 +1,6 @@
 #include "lab/accuracy/device_run.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <type_traits>
 
 #include "host/device/launch.hpp"
@@ -11,19 +10,11 @@ namespace morphcl::accuracy {
 
 namespace {
 
-struct PlanesBuffer {
-  using Element = float;
-  static constexpr std::string_view name = "planes", type = "float";
-};
-struct ResultsBuffer {
-  using Element = float;
-  static constexpr std::string_view name = "results", type = "float";
-};
+using PlanesBuffer = Argument<float, "planes", "float">;
+using ResultsBuffer = Argument<float, "results", "float">;
 template <class T>
-struct ConstantsBuffer {
-  using Element = T;
-  static constexpr std::string_view name = "constants", type = std::is_same_v<T, float> ? "float" : "double";
-};
+using ConstantsBuffer =
+    std::conditional_t<std::is_same_v<T, float>, Argument<T, "constants", "float">, Argument<T, "constants", "double">>;
 
 template <class T>
 BufferAs<ConstantsBuffer<T>> constants_buffer(const Session& session, const std::vector<double>& values) {

@@ -122,10 +122,7 @@ void print_differences(std::size_t count) {
   fmt::print("largest_allocation {}\ndifferent {}\n", session->info().max_allocation, different);
 }
 
-struct Values {
-  using Element = cl_int;
-  static constexpr std::string_view name = "values", type = "int";
-};
+using Values = Argument<cl_int, "values", "int">;
 
 void write_outside() {
   const auto session = Session::open({});

@@ -14,10 +14,7 @@ namespace {
 
 using testing::shared_session;
 
-struct Values {
-  using Element = cl_uint;
-  static constexpr std::string_view name = "values", type = "uint";
-};
+using Values = Argument<cl_uint, "values", "uint">;
 
 BufferAs<Values> values_in(const SharedBuffer& buffer) { return BufferAs<Values>(buffer.buffer()); }
 
