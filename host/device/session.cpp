@@ -118,7 +118,15 @@ struct Session::Impl {
 };
 
 Session::Session() : impl_(std::make_unique<Impl>()) {}
-Session::~Session() = default;
+
+// Whoever launched kernels need not have waited for them; PoCL aborts a process that ends while it compiles one.
+Session::~Session() {
+  try {
+    if (impl_->queue()) impl_->queue.finish();
+  } catch (const cl::Error&) {
+    // A destructor cannot report; nobody waits for these results.
+  }
+}
 
 std::shared_ptr<Session> Session::open(const SessionOptions& options) {
   ensure_process_prepared(options.threads);

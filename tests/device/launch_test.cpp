@@ -38,30 +38,15 @@ kernel void apply(global float* numbers, Settings settings) {
                                      {"sum_of_group", {{"values", "int"}, {"shared", "int"}, {"results", "int"}}},
                                      {"apply", {{"numbers", "float"}, {"settings", "Settings"}}}}};
 
-struct Values {
-  using Element = cl_int;
-  static constexpr std::string_view name = "values", type = "int";
-};
-struct Others {
-  using Element = cl_int;
-  static constexpr std::string_view name = "others", type = "int";
-};
-struct Results {
-  using Element = cl_int;
-  static constexpr std::string_view name = "results", type = "int";
-};
-struct Numbers {
-  using Element = float;
-  static constexpr std::string_view name = "numbers", type = "float";
-};
+using Values = Argument<cl_int, "values", "int">;
+using Others = Argument<cl_int, "others", "int">;
+using Results = Argument<cl_int, "results", "int">;
+using Numbers = Argument<float, "numbers", "float">;
 struct Settings {
   cl_int factor;
   cl_float offset;
 };
-struct WronglyTyped {
-  using Element = float;
-  static constexpr std::string_view name = "values", type = "float";
-};
+using WronglyTyped = Argument<float, "values", "float">;
 
 // What the compiler refuses.
 template <class... Arguments>
@@ -92,8 +77,6 @@ static_assert(CanBeMappedAs<cl_int> && !CanBeMappedAs<float> && !CanBeMappedAs<c
 
 class Launch : public ::testing::Test {
  protected:
-  // PoCL compiles what is launched on a thread of its own, which must not outlive the process.
-  void TearDown() override { queue().finish(); }
   Kernel kernel(const char* name) { return shared_session().kernel(launch_source, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }
   template <class Meaning>
