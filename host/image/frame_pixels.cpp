@@ -23,14 +23,9 @@ std::vector<T> array_of(const FrameBuffer& frame) {
   return std::vector<T>(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()) * 4);
 }
 
-// One channel of one pixel. `linear`: what is shown behind it.
-std::uint8_t over(std::uint16_t stored, float alpha, float linear) {
-  return srgb8(displayable_from_half()[stored] + (1 - alpha) * linear);
-}
-
-std::uint8_t straight(std::uint16_t stored, float alpha) {
-  return alpha > 0 ? srgb8(displayable_from_half()[stored] / alpha) : std::uint8_t{0};
-}
+// One channel of one pixel. `behind`: what is shown behind it.
+std::uint8_t over(float value, float alpha, float behind) { return srgb8(value + (1 - alpha) * behind); }
+std::uint8_t straight(float value, float alpha) { return alpha > 0 ? srgb8(value / alpha) : std::uint8_t{0}; }
 
 }  // namespace
 
@@ -54,6 +49,7 @@ std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> 
     behind = {linear_from_srgb8(background->red), linear_from_srgb8(background->green),
               linear_from_srgb8(background->blue)};
   const auto& code = srgb8_from_half();
+  const auto& value = displayable_from_half();
   std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
   std::uint8_t* out = pixels.data();
   for (int y = 0; y < frame.height(); ++y) {
@@ -61,12 +57,12 @@ std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> 
     const std::array<std::span<const std::uint16_t>, 3> colors{frame.color_row(0, y), frame.color_row(1, y),
                                                                frame.color_row(2, y)};
     for (std::size_t x = 0; x < alphas.size(); ++x) {
-      const float alpha = std::min(displayable_from_half()[alphas[x]], 1.0f);
+      const float alpha = std::min(value[alphas[x]], 1.0f);
       for (std::size_t channel = 0; channel < 3; ++channel) {
         const std::uint16_t stored = colors[channel][x];
         *out++ = alpha == 1   ? code[stored]
-                 : background ? over(stored, alpha, behind[channel])
-                              : straight(stored, alpha);
+                 : background ? over(value[stored], alpha, behind[channel])
+                              : straight(value[stored], alpha);
       }
       *out++ = background ? std::uint8_t{255} : static_cast<std::uint8_t>(std::lround(alpha * 255));
     }
