@@ -8,16 +8,10 @@ namespace {
 
 constexpr std::size_t max_buffers = 64;
 
-std::size_t max_allocation(const cl::Context& context) {
-  return context.getInfo<CL_CONTEXT_DEVICES>().front().getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-}
-
 }  // namespace
 
 DevicePictures::DevicePictures(cl::Context context, std::size_t max_band)
-    : context_(std::move(context)), max_band_(max_band) {
-  checked("asking for the largest allocation", [&] { max_band_ = std::min(max_band_, max_allocation(context_)); });
-}
+    : context_(std::move(context)), max_band_(max_band) {}
 
 DevicePicture DevicePictures::picture(FrameBuffer& frame) {
   // Forgotten between frames only: one picture's bands are kept together, however many they are.

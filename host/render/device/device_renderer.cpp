@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,7 +30,9 @@ std::string depth_options(DepthFormat format) {
 class DeviceRenderer : public Renderer {
  public:
   DeviceRenderer(std::shared_ptr<Session> session, std::size_t max_band)
-      : session_(std::move(session)), memory_(session_), pictures_(session_->context(), max_band) {}
+      : session_(std::move(session)),
+        memory_(session_),
+        pictures_(session_->context(), std::min(max_band, session_->info().max_allocation)) {}
 
   void render(const FramePlan& plan, FrameBuffer& frame) override {
     require_fit(plan, frame);
@@ -85,10 +88,6 @@ class DeviceRenderer : public Renderer {
     bool needed_ = true;
   };
 
-  uint vertex_chunks(const layout::FrameConstants& constants) const {
-    return (constants.vertex_group_count + layout::vertex_groups_per_chunk - 1) / layout::vertex_groups_per_chunk;
-  }
-
   // False when vertices and what belongs to them had to move, and are lost.
   bool make_room(layout::FrameConstants& constants) {
     const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools_, constants);
@@ -139,7 +138,7 @@ class DeviceRenderer : public Renderer {
     const auto& mesh_data = memory_.meshes().mesh_data();
     const auto& indices = memory_.meshes().indices();
     const auto& frame = frame_.buffer();
-    if (changes.vertex_chunks.size() == 1 && vertex_chunks(constants) == 1 && constants.chunk_count == 1 &&
+    if (changes.vertex_chunks.size() == 1 && vertex_chunk_count(constants) == 1 && constants.chunk_count == 1 &&
         !constants.clips) {
       launch(queue(), kernel("bin_primitives", "project_light_and_bin"), one, one, frame, draws, targets, mesh_data,
              indices, vertices_, attributes_, colors_, face_colors_, fragment_keys_, bins_, large_);
@@ -191,11 +190,6 @@ class DeviceRenderer : public Renderer {
     return false;
   }
 
-  template <class Meaning>
-  DeviceBuffer<Meaning> buffer() const {
-    return DeviceBuffer<Meaning>(session_->context());
-  }
-
   std::shared_ptr<Session> session_;
   FrameMemory memory_;
   BinPools pools_;
@@ -203,14 +197,14 @@ class DeviceRenderer : public Renderer {
   std::map<std::pair<DepthFormat, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
   TableBuffer<buffers::Frame, 4> frame_{session_->context()};
-  DeviceBuffer<buffers::Vertices> vertices_ = buffer<buffers::Vertices>();
-  DeviceBuffer<buffers::Attributes> attributes_ = buffer<buffers::Attributes>();
-  DeviceBuffer<buffers::Colors> colors_ = buffer<buffers::Colors>();
-  DeviceBuffer<buffers::FaceColors> face_colors_ = buffer<buffers::FaceColors>();
-  DeviceBuffer<buffers::Clipped> clipped_ = buffer<buffers::Clipped>();
-  DeviceBuffer<buffers::FragmentKeys> fragment_keys_ = buffer<buffers::FragmentKeys>();
-  DeviceBuffer<buffers::Large> large_ = buffer<buffers::Large>();
-  DeviceBuffer<buffers::Bins> bins_ = buffer<buffers::Bins>();
+  DeviceBuffer<buffers::Vertices> vertices_{session_->context()};
+  DeviceBuffer<buffers::Attributes> attributes_{session_->context()};
+  DeviceBuffer<buffers::Colors> colors_{session_->context()};
+  DeviceBuffer<buffers::FaceColors> face_colors_{session_->context()};
+  DeviceBuffer<buffers::Clipped> clipped_{session_->context()};
+  DeviceBuffer<buffers::FragmentKeys> fragment_keys_{session_->context()};
+  DeviceBuffer<buffers::Large> large_{session_->context()};
+  DeviceBuffer<buffers::Bins> bins_{session_->context()};
   bool bins_are_clear_ = false;    // their overflow flag is 0
   layout::BinsHeader overflow_{};  // read by the queue, which may finish after an error
   std::vector<layout::ChunkStatus> statuses_;

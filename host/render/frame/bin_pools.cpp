@@ -54,8 +54,7 @@ BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants) {
   Offsets offsets(sizeof(layout::BinsHeader));
   layout::BinsOffsets& bins = constants.bins;
   // First: it stays from frame to frame, as the vertices do, and so has to stay where it is.
-  bins.vertex_chunk_status =
-      offsets.take(divided_up(constants.vertex_group_count, layout::vertex_groups_per_chunk) * sizeof(uint));
+  bins.vertex_chunk_status = offsets.take(vertex_chunk_count(constants) * sizeof(uint));
   bins.chunk_status = offsets.take(chunks * sizeof(layout::ChunkStatus));
   bins.fragment_heads = offsets.take(chunks * tiles * sizeof(uint));
   bins.entry_heads = offsets.take(chunks * tiles * sizeof(uint));
@@ -69,6 +68,10 @@ BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants) {
 }
 
 }  // namespace
+
+uint vertex_chunk_count(const layout::FrameConstants& constants) {
+  return divided_up(constants.vertex_group_count, layout::vertex_groups_per_chunk);
+}
 
 void BinPools::grow_to(const layout::ChunkStatus& chunk) {
   if (chunk.fragment_pages > fragment_pages) fragment_pages = with_margin(chunk.fragment_pages);

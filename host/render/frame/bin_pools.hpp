@@ -16,6 +16,9 @@ struct BinPools {
   void grow_to_clipped(layout::uint needed);
 };
 
+// Chunks of vertex groups; those of the last one may be fewer.
+layout::uint vertex_chunk_count(const layout::FrameConstants& constants);
+
 // Bytes of the buffers.
 struct BinSizes {
   std::size_t bins, fragment_keys, large, clipped;
