@@ -54,6 +54,7 @@ function(morphcl_embed_kernels output_var)
     DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/EmbedKernels.cmake
     COMMENT "Embedding ${folder}"
     VERBATIM)
+  set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # lint reads what is unity, before the build
   set(${output_var} ${output} PARENT_SCOPE)
 endfunction()
 
