@@ -77,6 +77,8 @@ static_assert(CanBeMappedAs<cl_int> && !CanBeMappedAs<float> && !CanBeMappedAs<c
 
 class Launch : public ::testing::Test {
  protected:
+  // What is still compiling when the process ends crashes PoCL: LLVM's statics go before the session of all tests.
+  void TearDown() override { queue().finish(); }
   Kernel kernel(const char* name) { return shared_session().kernel(launch_source, name); }
   const cl::CommandQueue& queue() { return shared_session().queue(); }
   template <class Meaning>
