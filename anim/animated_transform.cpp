@@ -1,11 +1,11 @@
-#include "anim/animated_transform.hpp"
+#include "morphcl/animated_transform.hpp"
 
 #include <fmt/core.h>
 
 #include <array>
 #include <utility>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -7,7 +7,7 @@
 
 #include "anim/modal_body.hpp"
 #include "anim/stepped_body.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
-#include "anim/timeline.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

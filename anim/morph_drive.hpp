@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "anim/spring_net.hpp"
-#include "anim/timeline.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

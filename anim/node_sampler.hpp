@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "anim/timeline.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/math/exponential.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "anim/track.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

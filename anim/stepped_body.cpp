@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "host/error.hpp"
 #include "host/math/finite.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 // The width of vectors must not decide the order of sums (anim/CMakeLists.txt).
 #ifndef EIGEN_DONT_VECTORIZE

@@ -1,4 +1,4 @@
-#include "anim/tangents.hpp"
+#include "morphcl/track.hpp"
 
 #include <algorithm>
 #include <cmath>

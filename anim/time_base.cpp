@@ -1,10 +1,10 @@
-#include "anim/time_base.hpp"
+#include "morphcl/track.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

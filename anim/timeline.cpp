@@ -1,4 +1,4 @@
-#include "anim/timeline.hpp"
+#include "morphcl/timeline.hpp"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,7 @@
 
 #include "anim/hierarchy.hpp"
 #include "anim/timeline_at.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
-#include "host/math/look_at.hpp"
-#include "host/math/quaternion.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl {
 

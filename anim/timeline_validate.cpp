@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "anim/hierarchy.hpp"
-#include "anim/timeline.hpp"
-#include "host/error.hpp"
 #include "host/math/finite.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 
@@ -85,6 +85,18 @@ void check_weights(const MorphWeights& morph) {
   if (morph.elastic) check_elastic(*morph.elastic, place);
 }
 
+// What tracks replace is judged frame by frame.
+void check_projection(const Camera& camera, const std::string& place) {
+  const bool is_animated = !(camera.fovy_track.empty() && camera.fovx_track.empty() && camera.near_track.empty() &&
+                             camera.far_track.empty());
+  if (is_animated) return;
+  try {
+    validate(camera.projection);
+  } catch (const Error& error) {
+    require(false, place, error.message());
+  }
+}
+
 void check_camera(const Camera& camera, std::size_t nodes) {
   const std::string place = "camera";
   const bool node_exists = camera.node >= -1 && (camera.node == -1 || static_cast<std::size_t>(camera.node) < nodes);
@@ -103,6 +115,7 @@ void check_camera(const Camera& camera, std::size_t nodes) {
           "a fovy track needs a projection with a vertical field of view: perspective");
   require(camera.fovx_track.empty() || std::holds_alternative<HorizontalPerspective>(camera.projection), place,
           "a fovx track needs a projection with a horizontal field of view: perspective");
+  check_projection(camera, place);
 }
 
 void check_light(const Light& light, std::size_t index) {

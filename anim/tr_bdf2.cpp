@@ -1,6 +1,6 @@
 #include "anim/tr_bdf2.hpp"
 
-#include "host/math/lerp.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

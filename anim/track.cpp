@@ -1,4 +1,4 @@
-#include "anim/track.hpp"
+#include "morphcl/track.hpp"
 
 #include <fmt/core.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "anim/spring_motion.hpp"
-#include "host/error.hpp"
-#include "host/math/lerp.hpp"
-#include "host/math/quaternion.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl {
 

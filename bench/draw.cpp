@@ -8,11 +8,12 @@
 #include "bench/morphcl_scene.hpp"
 #include "bench/report.hpp"
 #include "bench/rig_scene.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
-#include "host/image/frame_buffer.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/frame.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::bench {
 
@@ -57,7 +58,7 @@ void run(const Options& options) {
   FrameTimes times({"plan", "render"});
   for (int i = 0; i < subject.frames; ++i) {
     times.start_frame();
-    const FramePlan plan = planner.plan(i);
+    const Plan plan = planner.plan(i);
     times.finish_step();
     renderer->render(plan, frame);
     times.finish_step();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/scenes.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::bench {
 

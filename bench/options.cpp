@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <thread>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

@@ -9,13 +9,12 @@
 #include "bench/morphcl_scene.hpp"
 #include "bench/options.hpp"
 #include "bench/report.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
-#include "host/image/frame_buffer.hpp"
 #include "host/image/pixel_hash.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/frame.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::bench {
 

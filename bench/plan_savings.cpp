@@ -17,12 +17,13 @@
 
 #include "bench/morphcl_scene.hpp"
 #include "bench/rig_scene.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
-#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/plan_digest.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/scene/load_scene.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::bench {
 
@@ -60,8 +61,8 @@ struct Variant {
     std::chrono::steady_clock::duration total{};
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const auto start = std::chrono::steady_clock::now();
-      const FramePlan plan = planner->plan(frames[i]);
-      if (!skips_equal || drawn.insert(pixel_digest(plan)).second) renderer->render(plan, *pixels);
+      const Plan plan = planner->plan(frames[i]);
+      if (!skips_equal || drawn.insert(pixel_digest(*plan)).second) renderer->render(plan, *pixels);
       if (i >= first_timed_frame) total += std::chrono::steady_clock::now() - start;
     }
     return std::chrono::duration<double, std::milli>(total).count() /

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bench/morphcl_scene.hpp"
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl::bench {
 

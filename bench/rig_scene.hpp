@@ -1,7 +1,7 @@
 // A face-like mesh with many morph targets of which few are used, as rigs of characters have them.
 #pragma once
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::bench {
 

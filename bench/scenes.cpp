@@ -8,7 +8,7 @@
 
 #include "bench/placements.hpp"
 #include "bench/shapes.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl::bench {
 

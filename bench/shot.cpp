@@ -5,7 +5,7 @@
 
 #include "bench/options.hpp"
 #include "bench/scenes.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

@@ -7,12 +7,12 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "lab/accuracy/report.hpp"
 #include "lab/accuracy/write_files.hpp"
 #include "lab/accuracy/write_plot.hpp"
 #include "lab/accuracy/write_table.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::cli {
 

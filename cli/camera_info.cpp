@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "host/math/vanishing_point.hpp"
-#include "host/math/viewport.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl::cli {
 

@@ -15,7 +15,7 @@
 #include "cli/plan_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/warm_command.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "morphcl/version.hpp"
 
 namespace morphcl::cli {

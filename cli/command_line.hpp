@@ -1,5 +1,5 @@
 // The command line of the `morphcl` tool: reads the arguments, runs one command, turns every failure into one line on
-// stderr and an exit code (host/error.hpp names them; 1 and 75 come from `render` itself).
+// stderr and an exit code (morphcl/error.hpp names them; 1 and 75 come from `render` itself).
 #pragma once
 
 namespace morphcl::cli {

@@ -6,11 +6,11 @@
 #include "cli/compare_report.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/job/frame_pattern.hpp"
-#include "host/scene/model/frame_range.hpp"
 #include "lab/frame_error/difference_files.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 
@@ -69,13 +69,13 @@ int compare_command(const CompareOptions& options) {
   const OpenedRenderer opened = open_renderer(options.device);
   const Planner planner(scene);
   for (const std::int64_t frame : frames) {
-    const FramePlan plan = planner.plan(frame);
-    accuracy::check_comparable(plan);
-    FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
+    const Plan plan = planner.plan(frame);
+    accuracy::check_comparable(*plan);
+    FrameBuffer pixels = plan.make_frame();
     opened.renderer->render(plan, pixels);
-    const std::vector<reference::ShownPixel> shown = reference::shown_pixels(plan);
+    const std::vector<reference::ShownPixel> shown = reference::shown_pixels(*plan);
     for (const Truth truth : truths(options.truth)) {
-      const FrameDifference difference = accuracy::compare_with_fp64(scene, plan, pixels, shown, truth);
+      const FrameDifference difference = accuracy::compare_with_fp64(scene, *plan, pixels, shown, truth);
       if (options.json)
         print_difference_json(difference);
       else

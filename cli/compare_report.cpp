@@ -7,8 +7,8 @@
 #include "cli/console.hpp"
 #include "cli/json_line.hpp"
 #include "cli/table.hpp"
-#include "host/error.hpp"
 #include "lab/frame_error/difference_files.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::cli {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::cli {
 

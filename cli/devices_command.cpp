@@ -6,8 +6,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_line.hpp"
 #include "cli/table.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::cli {
 

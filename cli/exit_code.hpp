@@ -1,4 +1,4 @@
-// Exit codes that are no ErrorKind (host/error.hpp): how a render job ended.
+// Exit codes that are no ErrorKind (morphcl/error.hpp): how a render job ended.
 #pragma once
 
 namespace morphcl::cli {

@@ -4,9 +4,8 @@
 #include "cli/info_command.hpp"
 #include "cli/json_line.hpp"
 #include "cli/table.hpp"
-#include "host/error.hpp"
-#include "host/image/exr_description.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl::cli {
 

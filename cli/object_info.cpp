@@ -6,10 +6,9 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
-#include "host/math/decompose.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::cli {
 

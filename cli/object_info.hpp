@@ -4,7 +4,7 @@
 #include <string>
 
 #include "anim/node_sampler.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

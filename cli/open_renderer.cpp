@@ -1,7 +1,6 @@
 #include "cli/open_renderer.hpp"
 
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/renderer.hpp"
 
 namespace morphcl::cli {
 

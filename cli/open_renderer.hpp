@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "host/device/session.hpp"
-#include "host/render/frame/renderer.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::cli {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/error.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl::cli {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "anim/time_base.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl::cli {
 

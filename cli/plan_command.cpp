@@ -6,10 +6,10 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_line.hpp"
 #include "cli/table.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
-#include "host/render/explain/report.hpp"
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/explain.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::cli {
 
@@ -30,12 +30,12 @@ std::optional<std::size_t> allocation_limit() try {
 void print_json(const PlanReport& report, const std::string& exceeded) {
   for (const PlanNote& note : report.notes) {
     JsonLine line("plan");
-    line.add("frame", report.plan.frame).add("item", note.item).add("done", note.done).add("reason", note.reason);
+    line.add("frame", report.plan.frame()).add("item", note.item).add("done", note.done).add("reason", note.reason);
     line.add("estimated_ms", note.milliseconds);
     print_result(line.add("share", note.milliseconds / report.milliseconds).str());
   }
   JsonLine line("plan_total");
-  line.add("frame", report.plan.frame).add("estimated_ms", report.milliseconds);
+  line.add("frame", report.plan.frame()).add("estimated_ms", report.milliseconds);
   line.add("mesh_bytes", report.memory.meshes).add("vertex_bytes", report.memory.vertices);
   line.add("bin_bytes", report.memory.bins).add("pixel_bytes", report.memory.pixels);
   print_result(line.add("exceeds_device", exceeded).str());
@@ -43,7 +43,7 @@ void print_json(const PlanReport& report, const std::string& exceeded) {
 
 void print_table(const Scene& scene, const PlanReport& report, const std::string& exceeded) {
   print_result(fmt::format("{} frame {}, {}x{}: about {:.2f} ms to draw (an estimate; shares are of it)",
-                           printable(scene.name), report.plan.frame, report.plan.width, report.plan.height,
+                           printable(scene.name), report.plan.frame(), report.plan.width(), report.plan.height(),
                            report.milliseconds));
   std::vector<std::vector<std::string>> rows;
   for (const PlanNote& note : report.notes) {
@@ -69,7 +69,7 @@ int plan_command(const PlanOptions& options) {
   const Scene scene = open_scene(options.scene);
   const std::int64_t frame = options.frame ? *options.frame : frame_numbers(scene.frames).front();
   const morphcl::PlanOptions what{.leave_out = options.leave_out};
-  const PlanReport report = explain(Planner(scene, what), scene, what, frame);
+  const PlanReport report = explain(Planner(scene, what), frame);
   const std::optional<std::size_t> limit = allocation_limit();
   const std::string exceeded = limit ? exceeded_limit(report.memory, *limit) : "";
   if (options.json)

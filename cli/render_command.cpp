@@ -5,8 +5,8 @@
 #include "cli/console.hpp"
 #include "cli/render_report.hpp"
 #include "cli/stop_signals.hpp"
-#include "host/error.hpp"
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

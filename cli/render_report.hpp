@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/progress_bar.hpp"
-#include "host/job/render_job.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl::cli {
 

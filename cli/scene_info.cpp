@@ -9,8 +9,8 @@
 #include "cli/json_line.hpp"
 #include "cli/object_info.hpp"
 #include "cli/table.hpp"
-#include "host/error.hpp"
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

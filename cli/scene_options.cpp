@@ -2,8 +2,8 @@
 
 #include "cli/console.hpp"
 #include "cli/option_values.hpp"
-#include "host/error.hpp"
-#include "host/scene/load_scene.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

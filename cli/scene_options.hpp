@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

@@ -7,8 +7,8 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/warm_scene.hpp"
-#include "host/error.hpp"
-#include "host/render/plan/planner.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
 
 namespace morphcl::cli {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::cli {
 

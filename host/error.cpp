@@ -1,4 +1,4 @@
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -19,8 +19,6 @@
 
 #include "bench/morphcl_scene.hpp"
 #include "host/device/prepare_process.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
 #include "host/image/exr_byte_split.hpp"
 #include "host/image/exr_encode.hpp"
 #include "host/image/exr_planes.hpp"
@@ -28,8 +26,10 @@
 #include "host/image/exr_zip_chunk.hpp"
 #include "host/image/pixel_hash.hpp"
 #include "host/image/zlib_encoder.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/session.hpp"
 
 namespace {
 
@@ -84,8 +84,7 @@ std::unique_ptr<FrameBuffer> draw(Renderer& renderer, const std::string& scene_n
   Scene scene = bench::morphcl_scene(plain, frames);
   scene.image.depth = depth;
   auto frame = std::make_unique<FrameBuffer>(width, height, true, depth);
-  const Planner planner(scene);
-  renderer.render(planner.plan(frames / 2), *frame);
+  renderer.render(plan_frame(scene, frames / 2), *frame);
   return frame;
 }
 

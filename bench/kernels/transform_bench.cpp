@@ -18,10 +18,9 @@
 
 #include "bench/kernels/transform_copy.hpp"
 #include "bench/kernels/transform_peers.hpp"
-#include "host/batch/transform_buffers.hpp"
-#include "host/batch/transform_reference.hpp"
-#include "host/batch/transform_vertices.hpp"
-#include "host/error.hpp"
+#include "morphcl/batch.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/opencl_interop.hpp"
 
 namespace {
 
@@ -191,10 +190,10 @@ void add_small(std::size_t count) {
                        vertices<float>(1, layout, count));
   });
   add(name + "device", count, bytes, prepare, [=] {
-    static const cl::Buffer in(session().context(), CL_MEM_READ_WRITE, large / 8 * sizeof(float));
+    static const cl::Buffer in(context_of(session()), CL_MEM_READ_WRITE, large / 8 * sizeof(float));
     const VertexBuffers buffers{layout, {in, in, in}};
     enqueue_transform(session(), transform, buffers, buffers, count);
-    session().queue().finish();
+    queue_of(session()).finish();
   });
   add(name + "host", count, bytes, prepare, [=] {
     transform_reference(transform, vertices<const float>(0, layout, count), vertices<float>(1, layout, count));

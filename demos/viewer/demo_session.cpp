@@ -6,7 +6,7 @@
 
 #include "demos/viewer/overlay.hpp"
 #include "demos/viewer/picture.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 

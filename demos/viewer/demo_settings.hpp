@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/math/projection.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl::viewer {
 

@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "demos/viewer/view_camera.hpp"
-#include "host/error.hpp"
-#include "host/job/render_job.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/reference/reference_renderer.hpp"
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/job.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::viewer {
 namespace {

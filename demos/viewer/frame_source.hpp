@@ -9,10 +9,10 @@
 
 #include "demos/viewer/demo_settings.hpp"
 #include "demos/viewer/demo_state.hpp"
-#include "host/device/session.hpp"
-#include "host/render/frame/renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::viewer {
 
@@ -37,7 +37,7 @@ class FrameSource {
   double milliseconds() const { return milliseconds_; }  // that the last rendering took: plan and kernels
 
   // Writes the view with the shot's own channels and compression, as `morphcl render` does; `pattern` as in
-  // host/job/render_job.hpp. Returns the path. Throws what writing and rendering throw.
+  // morphcl/job.hpp. Returns the path. Throws what writing and rendering throw.
   std::string export_frame(const View& view, const Size& size, const std::string& pattern);
 
  private:

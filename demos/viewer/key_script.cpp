@@ -7,7 +7,7 @@
 #include <charconv>
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/math/window.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl::viewer {
 namespace {

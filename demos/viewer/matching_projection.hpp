@@ -1,7 +1,7 @@
 // Parallel and central projections that show the same size, and six-plane projections that fit an aspect.
 #pragma once
 
-#include "host/math/projection.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl::viewer {
 

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 namespace {

@@ -1,8 +1,8 @@
 // What stands on the screen: a frame as 8-bit sRGB.
 #pragma once
 
-#include "host/image/frame_buffer.hpp"
 #include "host/image/png_file.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl::viewer {
 

@@ -11,8 +11,8 @@
 #include "demos/viewer/run_headless.hpp"
 #include "demos/viewer/run_window.hpp"
 #include "demos/viewer/shot_path.hpp"
-#include "host/error.hpp"
-#include "host/scene/load_scene.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::viewer {
 namespace {

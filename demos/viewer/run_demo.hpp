@@ -5,7 +5,7 @@
 
 namespace morphcl::viewer {
 
-// Returns the exit code: 0, or that of the error (host/error.hpp) whose one line went to stderr.
+// Returns the exit code: 0, or that of the error (morphcl/error.hpp) whose one line went to stderr.
 int run_demo(const DemoSettings& settings, int argc, const char* const* argv);
 
 }  // namespace morphcl::viewer

@@ -11,12 +11,12 @@
 #include "demos/viewer/hold_repeat.hpp"
 #include "demos/viewer/play_clock.hpp"
 #include "demos/viewer/script_player.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 namespace {
 
-constexpr int kLargestSide = 16384;  // pixels of a frame (host/scene/model/scene.hpp)
+constexpr int kLargestSide = 16384;  // pixels of a frame (morphcl/scene.hpp)
 
 double now_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "demos/viewer/matching_projection.hpp"
-#include "host/math/composite_transform.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::viewer {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "anim/timeline.hpp"
 #include "demos/viewer/demo_settings.hpp"
 #include "demos/viewer/demo_state.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl::viewer {
 
@@ -21,7 +21,7 @@ ProjectionKind shot_projection(const Timeline& timeline, std::int64_t frame);
 // fixed at what it is at `frame`:
 // - eye_steps moves the eye along the up vector by fortieths of its distance to the target;
 // - the orbit then turns eye and up vector about the target, so that there is no pole to get stuck at.
-// Error(bad_input) when the shot has no camera at this frame (anim/timeline.hpp).
+// Error(bad_input) when the shot has no camera at this frame (morphcl/timeline.hpp).
 std::optional<Camera> view_camera(const Timeline& timeline, std::int64_t frame, const View& view,
                                   const DemoSettings& settings, double aspect);
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 

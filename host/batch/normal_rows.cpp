@@ -1,10 +1,10 @@
-#include "host/batch/normal_rows.hpp"
+#include "morphcl/batch.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
 #include "host/math/kahan.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -4,10 +4,15 @@
 
 #include <algorithm>
 
-#include "host/batch/normal_rows.hpp"
 #include "host/batch/usage_error.hpp"
+#include "kernels/transform_kind.h"
+#include "morphcl/batch.hpp"
 
 namespace morphcl {
+
+static_assert(static_cast<int>(TransformKind::affine) == TRANSFORM_AFFINE &&
+              static_cast<int>(TransformKind::projective) == TRANSFORM_PROJECTIVE &&
+              static_cast<int>(TransformKind::normals) == TRANSFORM_NORMALS);
 
 namespace {
 

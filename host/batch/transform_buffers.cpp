@@ -1,12 +1,12 @@
-#include "host/batch/transform_buffers.hpp"
-
 #include <fmt/format.h>
 
 #include <string>
 #include <string_view>
 
+#include "host/batch/transform.hpp"
 #include "host/device/launch.hpp"
-#include "host/device/opencl.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/opencl_interop.hpp"
 
 namespace morphcl {
 
@@ -116,7 +116,7 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
 
     // Copied: the caller's transform may be gone when the kernel runs.
     const auto matrix_rows = transform.rows();
-    const BufferAs<Rows<Real>> rows(cl::Buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+    const BufferAs<Rows<Real>> rows(cl::Buffer(context_of(session), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                                matrix_rows.size_bytes(),
                                                const_cast<MatrixRow<Real>*>(matrix_rows.data())));
     layout::TransformConstants constants{};
@@ -126,10 +126,10 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
     constants.kind = static_cast<cl_uint>(transform.kind());
     constants.matrix_count = static_cast<cl_uint>(transform.matrix_count());
     constants.stream_stores = reals * sizeof(Real) >= min_streamed_bytes;
-    const Kernel kernel = session.kernel(kernel_source(stage<Real>), kernel_name(in.layout, choice));
+    const Kernel kernel = kernel_of(session, kernel_source(stage<Real>), kernel_name(in.layout, choice));
     const auto start = [&](const auto&... choosing) {
       const auto with = [&](const auto&... vertices) {
-        launch(session.queue(), kernel, global, local, Named{"constants", constants, "TransformConstants"}, rows,
+        launch(queue_of(session), kernel, global, local, Named{"constants", constants, "TransformConstants"}, rows,
                choosing..., vertices...);
       };
       if (in.layout == VertexLayout::separate)
@@ -139,7 +139,7 @@ void enqueue_transform(Session& session, const Transform<Real>& transform, const
       else
         with(BufferAs<In<Real>>(in.arrays[0]), BufferAs<Out<Real>>(out.arrays[0]));
     };
-    if (chosen && !bad_index()) bad_index = cl::Buffer(session.context(), CL_MEM_WRITE_ONLY, sizeof(cl_uint));
+    if (chosen && !bad_index()) bad_index = cl::Buffer(context_of(session), CL_MEM_WRITE_ONLY, sizeof(cl_uint));
     const BufferAs<BadIndex> bad(bad_index);
     if (const auto* by_index = std::get_if<IndexBuffer>(&choice)) {
       check_size(by_index->index, count * sizeof(cl_uint), "the matrix indices");

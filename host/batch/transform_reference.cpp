@@ -1,5 +1,3 @@
-#include "host/batch/transform_reference.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cfloat>
@@ -8,7 +6,10 @@
 #include <limits>
 #include <span>
 
+#include "host/batch/transform.hpp"
+#include "host/batch/vertices.hpp"
 #include "host/math/hardware_fma.hpp"
+#include "morphcl/batch.hpp"
 
 static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated in float");
 

@@ -1,12 +1,12 @@
-#include "host/batch/transform_vertices.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <map>
 
-#include "host/batch/transform_buffers.hpp"
-#include "host/batch/transform_reference.hpp"
+#include "host/batch/transform.hpp"
+#include "host/batch/vertices.hpp"
 #include "host/device/cl_error.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/opencl_interop.hpp"
 
 namespace morphcl {
 
@@ -21,7 +21,7 @@ constexpr std::size_t vertices_per_step = 4096;
 // The caller's arrays as buffers: one for each distinct array, as two buffers over one memory are not coherent.
 class HostBuffers {
  public:
-  explicit HostBuffers(const Session& session) : context_(session.context()), queue_(session.queue()) {}
+  explicit HostBuffers(const Session& session) : context_(context_of(session)), queue_(queue_of(session)) {}
   ~HostBuffers() {
     // Where a later step failed, commands that are under way must not outlive the caller's arrays.
     try {
@@ -106,7 +106,7 @@ bool transform_part(Session& session, const Transform<Real>& transform, const Ve
                       chosen ? buffers(bad) : cl::Buffer());
     for (const std::span<Real> values : out.arrays()) buffers.enqueue_bring_back(values);
     if (chosen) buffers.enqueue_bring_back(bad);
-    session.queue().finish();
+    queue_of(session).finish();
   });
   return bad_index == 0;
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

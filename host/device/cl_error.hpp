@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/device/opencl.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

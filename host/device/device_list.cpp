@@ -10,7 +10,7 @@
 #include "host/device/cache_dir.hpp"
 #include "host/device/cl_error.hpp"
 #include "host/device/prepare_process.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/device/opencl.hpp"
-#include "host/device/session.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl {
 

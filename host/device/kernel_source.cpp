@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

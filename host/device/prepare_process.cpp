@@ -7,8 +7,8 @@
 #include <string>
 
 #include "host/device/probe.hpp"
-#include "host/device/session.hpp"
 #include "host/device/thread_count.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl {
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 
 #include "host/device/kernel.hpp"
 #include "host/device/opencl.hpp"
-#include "host/device/session.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl {
 

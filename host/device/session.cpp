@@ -1,4 +1,4 @@
-#include "host/device/session.hpp"
+#include "morphcl/session.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,8 @@
 #include "host/device/prepare_process.hpp"
 #include "host/device/program_cache.hpp"
 #include "host/device/self_test.hpp"
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -55,7 +56,7 @@ struct Session::Impl {
   cl::Context context;
   cl::CommandQueue queue;
   std::string build_options;
-  std::function<std::string(const std::string&)> edit_source;
+  EditSource edit_source;
   std::optional<ProgramCache> cache;
   SelfTestResult self_test;
 
@@ -66,7 +67,6 @@ struct Session::Impl {
 
   void open(const FoundDevice& chosen, const SessionOptions& options) {
     info = chosen.info;
-    edit_source = options.edit_source;
     context = cl::Context(chosen.device);
     queue = cl::CommandQueue(context, chosen.device);
     build_options = morphcl::build_options(chosen.device, chosen.platform);
@@ -128,27 +128,38 @@ Session::~Session() {
   }
 }
 
-std::shared_ptr<Session> Session::open(const SessionOptions& options) {
+struct SessionAccess {
+  static Session::Impl& impl(const Session& session) { return *session.impl_; }
+  static std::shared_ptr<Session> make() { return std::shared_ptr<Session>(new Session); }
+};
+
+std::shared_ptr<Session> open_session(const SessionOptions& options, EditSource edit_source) {
   ensure_process_prepared(options.threads);
   const std::vector<FoundDevice> devices = find_devices(options.cache_dir);
   const FoundDevice& chosen = choose_device(devices, options.device);
-  std::shared_ptr<Session> session(new Session);
+  std::shared_ptr<Session> session = SessionAccess::make();
+  auto& impl = SessionAccess::impl(*session);
   checked(fmt::format("opening device \"{}\"", chosen.info.name), [&] {
-    session->impl_->open(chosen, options);
-    session->impl_->run_self_test();
+    impl.edit_source = std::move(edit_source);
+    impl.open(chosen, options);
+    impl.run_self_test();
   });
   return session;
 }
 
+std::shared_ptr<Session> Session::open(const SessionOptions& options) { return open_session(options, {}); }
+
 const DeviceInfo& Session::info() const { return impl_->info; }
 Verdict Session::verdict() const { return impl_->self_test.verdict; }
 const std::string& Session::verdict_detail() const { return impl_->self_test.detail; }
-const cl::Context& Session::context() const { return impl_->context; }
-const cl::CommandQueue& Session::queue() const { return impl_->queue; }
 
-Kernel Session::kernel(const KernelSource& source, const std::string& kernel_name, const std::string& more_options) {
+const cl::Context& context_of(const Session& session) { return SessionAccess::impl(session).context; }
+const cl::CommandQueue& queue_of(const Session& session) { return SessionAccess::impl(session).queue; }
+
+Kernel kernel_of(Session& session, const KernelSource& source, const std::string& kernel_name,
+                 const std::string& more_options) {
   return checked(fmt::format("kernel {} of {}", kernel_name, source.file),
-                 [&] { return impl_->kernel(source, kernel_name, more_options); });
+                 [&] { return SessionAccess::impl(session).kernel(source, kernel_name, more_options); });
 }
 
 void Session::store_programs() {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <thread>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/geometry/mesh.hpp"
+#include "morphcl/mesh.hpp"
 
 namespace morphcl {
 

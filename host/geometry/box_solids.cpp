@@ -2,7 +2,7 @@
 #include <array>
 
 #include "host/geometry/grid_topology.hpp"
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 

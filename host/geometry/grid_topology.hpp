@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 

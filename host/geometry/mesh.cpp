@@ -1,4 +1,4 @@
-#include "host/geometry/mesh.hpp"
+#include "morphcl/mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

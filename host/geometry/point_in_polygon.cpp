@@ -1,8 +1,6 @@
-#include "host/geometry/point_in_polygon.hpp"
+#include "morphcl/predicates.hpp"
 
 #include <cstddef>
-
-#include "host/math/predicates.hpp"
 
 namespace morphcl {
 

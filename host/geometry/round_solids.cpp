@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "host/geometry/grid_topology.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/math/angle.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 

@@ -1,8 +1,8 @@
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 #include <fmt/format.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

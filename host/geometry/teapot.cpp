@@ -1,8 +1,8 @@
 #include <cstddef>
 
 #include "host/geometry/grid_topology.hpp"
-#include "host/geometry/solids.hpp"
 #include "host/geometry/teapot_patches.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/geometry/mesh.hpp"
+#include "morphcl/mesh.hpp"
 
 namespace morphcl {
 

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

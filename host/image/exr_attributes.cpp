@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "host/error.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl {
 

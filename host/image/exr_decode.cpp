@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
 #include "host/image/exr_attributes.hpp"
 #include "host/image/exr_encode.hpp"
 #include "host/image/exr_header_check.hpp"
 #include "host/image/exr_planes.hpp"
 #include "host/image/exr_stream.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

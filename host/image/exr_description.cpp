@@ -1,4 +1,4 @@
-#include "host/image/exr_description.hpp"
+#include "morphcl/exr.hpp"
 
 #include <ImfBoxAttribute.h>
 #include <ImfChannelList.h>
@@ -20,10 +20,10 @@
 #include <array>
 #include <set>
 
-#include "host/error.hpp"
 #include "host/image/exr_compression.hpp"
 #include "host/image/exr_header_check.hpp"
 #include "host/image/exr_stream.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <string_view>
 
-#include "host/error.hpp"
 #include "host/image/exr_attributes.hpp"
 #include "host/image/exr_compression.hpp"
 #include "host/image/exr_planes.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/exr_zip.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

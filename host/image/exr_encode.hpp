@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/image/exr_file.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl {
 

@@ -1,12 +1,12 @@
-#include "host/image/exr_file.hpp"
+#include "morphcl/exr.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_encode.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

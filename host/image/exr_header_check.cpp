@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host/error.hpp"
 #include "host/image/exr_compression.hpp"
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

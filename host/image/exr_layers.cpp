@@ -8,9 +8,9 @@
 
 #include <set>
 
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_stream.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

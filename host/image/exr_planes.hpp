@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

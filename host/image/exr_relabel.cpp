@@ -7,10 +7,10 @@
 #include <array>
 #include <cstring>
 
-#include "host/error.hpp"
 #include "host/image/exr_attributes.hpp"
 #include "host/image/exr_compression.hpp"
 #include "host/image/exr_stream.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/image/frame_attributes.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl {
 

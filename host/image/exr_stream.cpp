@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

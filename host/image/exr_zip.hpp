@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "host/image/frame_buffer.hpp"
 #include "host/image/zlib_encoder.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

@@ -1,11 +1,12 @@
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
 
 #include <algorithm>
 
-#include "host/error.hpp"
+#include "host/image/raw_frame.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -56,16 +57,18 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
   memory_ = map_memory(bytes());
 }
 
-FrameBuffer::Memory FrameBuffer::memory() {
-  const bool notes_hold = any_blank_;
-  any_blank_ = true;
-  const Memory memory{
-      memory_.get(),  row_bytes_,     bytes(),   {color_offset(0), color_offset(1), color_offset(2), color_offset(3)},
-      depth_offset(), notes_offset(), notes_hold};
+RawFrame::RawFrame(FrameBuffer& frame)
+    : data(frame.memory_.get()),
+      row_bytes(frame.row_bytes_),
+      bytes(frame.bytes()),
+      color_offset{frame.color_offset(0), frame.color_offset(1), frame.color_offset(2), frame.color_offset(3)},
+      depth_offset(frame.depth_offset()),
+      notes_offset(frame.notes_offset()),
+      notes_hold(frame.any_blank_) {
+  frame.any_blank_ = true;
   // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.
   if (!notes_hold)
-    for (int tile_y = 0; tile_y < tiles_y_; ++tile_y) std::fill_n(&memory.note(0, tile_y), tiles_x_, 0u);
-  return memory;
+    for (int tile_y = 0; tile_y < frame.tiles_y_; ++tile_y) std::fill_n(&note(0, tile_y), frame.tiles_x_, 0u);
 }
 
 }  // namespace morphcl

@@ -1,4 +1,4 @@
-#include "host/image/frame_pixels.hpp"
+#include "morphcl/frame.hpp"
 
 #include <half.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <span>
 
-#include "host/error.hpp"
 #include "host/image/srgb.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

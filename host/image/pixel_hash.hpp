@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

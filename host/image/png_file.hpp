@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace morphcl {
+#include "morphcl/frame.hpp"
 
-struct Rgb {
-  std::uint8_t red = 0, green = 0, blue = 0;
-  bool operator==(const Rgb&) const = default;
-};
+namespace morphcl {
 
 struct RgbImage {
   RgbImage(int columns, int rows, Rgb fill)

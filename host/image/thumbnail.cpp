@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "host/error.hpp"
 #include "host/image/srgb.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

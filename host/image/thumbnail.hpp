@@ -1,8 +1,8 @@
 // A frame as a picture for people.
 #pragma once
 
-#include "host/image/frame_buffer.hpp"
 #include "host/image/png_file.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/job/fingerprint.hpp"
+#include "morphcl/job.hpp"
 
 #include <cstdint>
 #include <string_view>

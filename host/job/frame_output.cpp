@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "host/error.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_encode.hpp"
-#include "host/image/exr_file.hpp"
 #include "host/image/exr_relabel.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/pixel_hash.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 
 namespace morphcl {
 

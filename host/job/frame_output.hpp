@@ -9,9 +9,10 @@
 #include <span>
 
 #include "host/image/contact_sheet.hpp"
-#include "host/image/frame_attributes.hpp"
 #include "host/job/equal_frames.hpp"
-#include "host/job/render_job.hpp"
+#include "host/job/frame_pattern.hpp"
+#include "morphcl/exr.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,9 +6,7 @@
 
 namespace morphcl {
 
-// A path whose file name holds at most one place for the frame number: a run of two or more '#' is that many digits, a
-// lone '#' is four, %0Nd is N digits (N at most 20), %d is as many as needed. Shorter numbers get zeros in front,
-// longer ones are not cut; a minus sign comes before the digits. Folders are taken as they are written.
+// RenderJob::pattern, which says what a pattern may hold.
 class FramePattern {
  public:
   // Error(usage): more than one place for the number, a number's digits beyond 20, or no file name.

@@ -9,7 +9,7 @@ PlannedFrame plan_with_digest(const Planner& planner, std::int64_t frame) {
   planned.frame = frame;
   try {
     planned.plan = planner.plan(frame);
-    planned.digest = pixel_digest(planned.plan);
+    planned.digest = pixel_digest(**planned.plan);
   } catch (...) {
     planned.failure = std::current_exception();
   }

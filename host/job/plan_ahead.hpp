@@ -10,15 +10,15 @@
 #include <thread>
 
 #include "host/render/frame/plan_digest.hpp"
-#include "host/render/plan/planner.hpp"
+#include "morphcl/planner.hpp"
 
 namespace morphcl {
 
 struct PlannedFrame {
   std::int64_t frame = 0;
-  FramePlan plan;
+  std::optional<Plan> plan;
   PlanDigest digest;
-  std::exception_ptr failure;  // what the planner threw; the plan is void then
+  std::exception_ptr failure;  // what the planner threw; there is no plan then
 };
 
 PlannedFrame plan_with_digest(const Planner& planner, std::int64_t frame);

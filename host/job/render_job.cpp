@@ -1,5 +1,3 @@
-#include "host/job/render_job.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <mutex>
@@ -10,7 +8,7 @@
 #include "host/job/frame_output.hpp"
 #include "host/job/plan_ahead.hpp"
 #include "host/job/write_queue.hpp"
-#include "host/render/plan/planner.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl {
 
@@ -45,7 +43,12 @@ WriteQueue::Limits limits(const RenderJob& job, const ImageSettings& image) {
 class JobRun {
  public:
   JobRun(const RenderJob& job, const Scene& scene, Renderer& renderer)
-      : job_(job), scene_(scene), renderer_(renderer), output_(job, scene, thread_count(job)) {}
+      : job_(job), planner_(scene, job.plan), renderer_(renderer), output_(job, scene, thread_count(job)) {
+    renderer.forget();
+  }
+  ~JobRun() { renderer_.forget(); }  // no other plan of this planner comes
+  JobRun(const JobRun&) = delete;
+  JobRun& operator=(const JobRun&) = delete;
 
   JobResult run() {
     const std::vector<std::int64_t> missing = job_.resume ? keep_finished_frames() : job_.frames;
@@ -72,10 +75,10 @@ class JobRun {
   FrameTask task_for(const PlannedFrame& planned) const;
   void write(FrameTask& task, int encoding_threads, const WriteQueue::ReleasePixels& release);
   bool copy(FrameTask& task);
-  void draw_lost_copies(const Planner& planner, WriteQueue& queue);
+  void draw_lost_copies(WriteQueue& queue);
 
   const RenderJob& job_;
-  const Scene& scene_;
+  const Planner planner_;
   Renderer& renderer_;
   FrameOutput output_;
   EqualFrames equal_frames_;
@@ -116,8 +119,7 @@ std::vector<std::int64_t> JobRun::keep_finished_frames() {
 
 void JobRun::render(const std::vector<std::int64_t>& frames) {
   if (frames.empty()) return;
-  const ImageSettings& image = scene_.image;
-  const Planner planner(scene_, job_.plan);
+  const ImageSettings& image = planner_.scene().image;
   // Frames side by side keep all threads busy; a single one needs them all.
   const int encoding_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(
@@ -130,14 +132,14 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
     if (stopped()) result_.interrupted = true;
     return !result_.interrupted && !queue.broken();
   };
-  PlanAhead plans(planner, frames);
+  PlanAhead plans(planner_, frames);
   for (std::size_t i = 0; i < frames.size() && going_on(); ++i) {
     PlannedFrame planned = plans.next();
     add_frame(planned, queue);
-    draw_lost_copies(planner, queue);
+    draw_lost_copies(queue);
   }
   queue.drain();
-  draw_lost_copies(planner, queue);
+  draw_lost_copies(queue);
   queue.finish();
 }
 
@@ -160,7 +162,7 @@ void JobRun::draw_frame(PlannedFrame& planned, WrittenFramePromise written, Writ
   try {
     if (planned.failure) std::rethrow_exception(planned.failure);
     const auto start = std::chrono::steady_clock::now();
-    renderer_.render(planned.plan, *task.pixels);
+    renderer_.render(*planned.plan, *task.pixels);
     task.result.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   } catch (const std::exception& error) {
@@ -173,16 +175,11 @@ void JobRun::draw_frame(PlannedFrame& planned, WrittenFramePromise written, Writ
 }
 
 FrameTask JobRun::task_for(const PlannedFrame& planned) const {
-  const TimeBase& time = scene_.timeline.time;
   FrameTask task;
   task.result.frame = planned.frame;
   task.result.path = output_.path(planned.frame);
-  task.attributes = {planned.frame,
-                     time.fps_numerator,
-                     time.fps_denominator,
-                     planned.plan.world_to_eye,
-                     planned.plan.world_to_ndc,
-                     output_.fingerprint()};
+  if (planned.plan) task.attributes = planned.plan->attributes();
+  task.attributes.fingerprint = output_.fingerprint();
   task.picture = planned.digest;
   return task;
 }
@@ -209,7 +206,7 @@ bool JobRun::copy(FrameTask& task) {
 }
 
 // Frames that were to be copied from a file that has failed or gone.
-void JobRun::draw_lost_copies(const Planner& planner, WriteQueue& queue) {
+void JobRun::draw_lost_copies(WriteQueue& queue) {
   std::vector<std::pair<std::int64_t, PlanDigest>> lost;
   {
     const std::lock_guard lock(lost_mutex_);
@@ -217,7 +214,7 @@ void JobRun::draw_lost_copies(const Planner& planner, WriteQueue& queue) {
   }
   for (const auto& [frame, picture] : lost) {
     equal_frames_.forget(picture);
-    PlannedFrame planned = plan_with_digest(planner, frame);
+    PlannedFrame planned = plan_with_digest(planner_, frame);
     draw_frame(planned, {}, queue);
   }
 }

@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "host/image/frame_attributes.hpp"
-#include "host/image/frame_buffer.hpp"
 #include "host/job/equal_frames.hpp"
-#include "host/job/render_job.hpp"
+#include "morphcl/exr.hpp"
+#include "morphcl/frame.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl {
 

@@ -1,11 +1,11 @@
-#include "host/math/angle.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <cmath>
 
-#include "host/error.hpp"
 #include "host/math/accurate_sine.hpp"
 #include "host/math/circle_constants.hpp"
 #include "host/math/sine_kernel.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 #include "host/math/circle_constants.hpp"
 #include "host/math/double_double.hpp"
 #include "host/math/sine_kernel.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -1,14 +1,14 @@
-#include "host/math/axonometric.hpp"
+#include "morphcl/camera.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/math/composite_transform.hpp"
+#include "morphcl/transform.hpp"
 
 #include <fmt/core.h>
 
@@ -6,11 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
-#include "host/math/inverse.hpp"
-#include "host/math/rotation.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl {
 

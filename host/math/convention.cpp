@@ -1,4 +1,4 @@
-#include "host/math/convention.hpp"
+#include "morphcl/convention.hpp"
 
 #include "host/math/double_double.hpp"
 

@@ -1,13 +1,12 @@
-#include "host/math/decompose.hpp"
+#include "morphcl/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
-#include "host/math/inverse.hpp"
 #include "host/math/kahan.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/math/depth_format.hpp"
+#include "morphcl/depth_format.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "host/math/exponential.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <cmath>
 #include <limits>

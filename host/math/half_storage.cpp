@@ -1,4 +1,4 @@
-#include "host/math/half_storage.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "host/math/inverse.hpp"
+#include "morphcl/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
 #include "host/math/kahan.hpp"
 #include "host/math/unit_roundoff.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

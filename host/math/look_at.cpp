@@ -1,14 +1,14 @@
-#include "host/math/look_at.hpp"
+#include "morphcl/camera.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "host/error.hpp"
 #include "host/math/direction.hpp"
 #include "host/math/finite.hpp"
-#include "host/math/inverse.hpp"
 #include "host/math/kahan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

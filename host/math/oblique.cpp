@@ -1,13 +1,13 @@
-#include "host/math/oblique.hpp"
+#include "morphcl/projection.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
 #include "host/math/finite.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/math/predicates.hpp"
+#include "morphcl/predicates.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/math/principal_view.hpp"
+#include "morphcl/camera.hpp"
 
 namespace morphcl {
 

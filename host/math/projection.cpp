@@ -1,14 +1,13 @@
-#include "host/math/projection.hpp"
+#include "morphcl/projection.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
 #include "host/math/finite.hpp"
 #include "host/math/require_number.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -1,8 +1,8 @@
 // What makes a projection degenerate.
 #include <cmath>
 
-#include "host/math/projection.hpp"
 #include "host/math/require_number.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl {
 

@@ -1,10 +1,10 @@
-#include "host/math/quaternion.hpp"
+#include "morphcl/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "host/math/kahan.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

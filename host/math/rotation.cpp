@@ -1,10 +1,9 @@
-#include "host/math/rotation.hpp"
+#include "morphcl/rotation.hpp"
 
 #include <cmath>
 
-#include "host/math/angle.hpp"
 #include "host/math/direction.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

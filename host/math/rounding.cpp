@@ -1,10 +1,10 @@
-#include "host/math/rounding.hpp"
+#include "morphcl/transform.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -1,12 +1,12 @@
-#include "host/math/seven_step_rotation.hpp"
+#include "morphcl/transform.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <utility>
 
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

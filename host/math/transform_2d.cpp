@@ -1,15 +1,15 @@
-#include "host/math/transform_2d.hpp"
+#include "morphcl/transform_2d.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <utility>
 
-#include "host/error.hpp"
 #include "host/math/finite.hpp"
 #include "host/math/kahan.hpp"
 #include "host/math/require_number.hpp"
-#include "host/math/rotation.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <cmath>
 #include <limits>

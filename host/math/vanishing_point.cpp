@@ -1,4 +1,4 @@
-#include "host/math/vanishing_point.hpp"
+#include "morphcl/projection.hpp"
 
 #include <cmath>
 

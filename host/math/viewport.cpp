@@ -1,4 +1,4 @@
-#include "host/math/viewport.hpp"
+#include "morphcl/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/math/window.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl {
 

@@ -1,15 +1,15 @@
-#include "host/scene/load_scene.hpp"
+#include "morphcl/scene.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <new>
 
-#include "host/error.hpp"
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/fitted_camera.hpp"
 #include "host/scene/obj/obj_import.hpp"
 #include "host/scene/shot/shot_file.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

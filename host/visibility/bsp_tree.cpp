@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "host/error.hpp"
 #include "host/visibility/wide_integer.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "host/visibility/flat_polygon.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 namespace morphcl {
 

@@ -1,12 +1,12 @@
-#include "host/visibility/flat_polygon.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 #include <fmt/core.h>
 
 #include <cstdlib>
 #include <utility>
 
-#include "host/error.hpp"
 #include "host/visibility/wide_integer.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "host/visibility/bsp_tree.hpp"
-#include "host/visibility/hidden_surfaces.hpp"
 #include "host/visibility/wide_integer.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 namespace morphcl {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "host/visibility/hidden_surfaces.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 namespace morphcl {
 

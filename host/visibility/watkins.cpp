@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "host/visibility/hidden_surfaces.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 namespace morphcl {
 

@@ -12,7 +12,7 @@
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 class AnimatedTransform {
  public:

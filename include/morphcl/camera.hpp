@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- look at --------------------------------------------------------------------------------------------------------
 //

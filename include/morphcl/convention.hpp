@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 enum class VectorForm {
   column,  // p' = M p

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 enum class DepthFormat { reversed_float, forward_float, fixed16, fixed24, fixed32 };
 constexpr std::array<DepthFormat, 5> depth_formats = {DepthFormat::reversed_float, DepthFormat::forward_float,

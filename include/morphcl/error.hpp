@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // The numbers are the exit codes of the command line tool.
 enum class ErrorKind : int {

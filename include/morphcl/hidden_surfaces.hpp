@@ -7,11 +7,12 @@
 // the polygon with the lower index is seen.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 constexpr int max_polygon_coordinate = 512;  // half pixels
 
@@ -41,8 +42,11 @@ struct PolygonPicture {
   std::vector<int> polygon;
 
   PolygonPicture(int picture_width, int picture_height);
-  int& at(int column, int row) { return polygon[static_cast<std::size_t>(row) * width + column]; }
-  int at(int column, int row) const { return polygon[static_cast<std::size_t>(row) * width + column]; }
+  int& at(int column, int row) { return polygon[index(column, row)]; }
+  int at(int column, int row) const { return polygon[index(column, row)]; }
+
+ private:
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(std::int64_t{row} * width + column); }
 };
 
 // Whether `challenger` is seen before `holder` (-1: nothing), both by index.

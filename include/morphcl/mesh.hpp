@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // A delta target holds differences to the base, as glTF does: p + w d. An absolute target holds the target's own
 // positions: (1-w) p + w b, exact at w = 0 and w = 1.

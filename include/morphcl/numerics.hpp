@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- angle ----------------------------------------------------------------------------------------------------------
 //

@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // 1: counter-clockwise, c lies to the left of the line from a to b; -1: to the right; 0: exactly on it.
 int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);

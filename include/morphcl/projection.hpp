@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- window ---------------------------------------------------------------------------------------------------------
 //

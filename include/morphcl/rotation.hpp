@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- rotation -------------------------------------------------------------------------------------------------------
 //

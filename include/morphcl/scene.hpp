@@ -15,7 +15,7 @@
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- frame range ----------------------------------------------------------------------------------------------------
 //

@@ -11,7 +11,7 @@
 
 #include "morphcl/mesh.hpp"
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // How finely a curved solid is cut: u around, v from pole to pole (or along the other direction).
 struct Segments {

@@ -11,7 +11,7 @@
 #include "morphcl/projection.hpp"
 #include "morphcl/track.hpp"
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // A node of the hierarchy. node -> parent is translation * rotation * scale * static_transform; a track, where there is
 // one, replaces the constant beside it.

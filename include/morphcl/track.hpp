@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- time base ------------------------------------------------------------------------------------------------------
 //

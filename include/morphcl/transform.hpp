@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- rounding -------------------------------------------------------------------------------------------------------
 //
@@ -97,9 +97,8 @@ CompositeTransform rotation_in_seven_steps(const glm::dvec3& from, const glm::dv
 //
 // Inverses of affine maps, and the matrix that carries normals.
 //
-// Matrices are column-vector affine maps (last row 0 0 0 1) of finite entries. Cofactors are Kahan differences of
-// products (host/math/kahan.hpp) of columns scaled by powers of two, so that scales from 1e-300 to 1e300 neither
-// overflow nor vanish.
+// Matrices are column-vector affine maps (last row 0 0 0 1) of finite entries. Cofactors are Kahan's differences of
+// products of columns scaled by powers of two, so that scales from 1e-300 to 1e300 neither overflow nor vanish.
 
 // Empty when the map is singular: when its determinant cannot be told from 0 after the rounding of its own evaluation
 // (8u times the product of the lengths of the columns), or when the inverse does not fit into fp64.

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "morphcl/projection.hpp"
+#include "morphcl/transform.hpp"
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 struct TransformStep2d {
   std::string name;    // "rotate_about_degrees"

@@ -5,7 +5,7 @@
 #define MORPHCL_VERSION_MINOR 1
 #define MORPHCL_VERSION_PATCH 0
 
-namespace morphcl {
+namespace [[gnu::visibility("default")]] morphcl {
 
 // Of the library: "0.1.0". Frames and kernels that another version made are not taken for this one's.
 const char* version();

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "host/device/launch.hpp"
+#include "host/device/session_access.hpp"
 #include "lab/kernels/kernel_sources.hpp"
 
 namespace morphcl::accuracy {
@@ -21,7 +22,7 @@ BufferAs<ConstantsBuffer<T>> constants_buffer(const Session& session, const std:
   return checked("a buffer of constants", [&] {
     std::vector<T> rounded(values.begin(), values.end());
     rounded.resize(std::max<std::size_t>(rounded.size(), 1));
-    return BufferAs<ConstantsBuffer<T>>(cl::Buffer(session.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+    return BufferAs<ConstantsBuffer<T>>(cl::Buffer(context_of(session), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                                    rounded.size() * sizeof(T), rounded.data()));
   });
 }
@@ -29,7 +30,7 @@ BufferAs<ConstantsBuffer<T>> constants_buffer(const Session& session, const std:
 template <class Meaning>
 BufferAs<Meaning> empty_buffer(const Session& session, std::size_t floats) {
   return checked("a buffer of the batch", [&] {
-    return BufferAs<Meaning>(cl::Buffer(session.context(), CL_MEM_READ_WRITE, floats * sizeof(float)));
+    return BufferAs<Meaning>(cl::Buffer(context_of(session), CL_MEM_READ_WRITE, floats * sizeof(float)));
   });
 }
 
@@ -40,10 +41,10 @@ DeviceRun prepare(Session& session, const KernelSource& program, const std::stri
   const auto in = empty_buffer<PlanesBuffer>(session, batch.stored.values().size());
   const auto out = empty_buffer<ResultsBuffer>(session, results.values().size());
   const auto shared = constants_buffer<T>(session, constants);
-  const cl::CommandQueue queue = session.queue();
+  const cl::CommandQueue queue = queue_of(session);
   const std::vector<float>& planes = batch.stored.values();
   const std::size_t count = batch.size();
-  const Kernel kernel = session.kernel(program, name);
+  const Kernel kernel = kernel_of(session, program, name);
   DeviceRun run;
   run.upload = [=, &planes] {
     checked("writing a batch",

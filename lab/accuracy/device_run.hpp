@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "host/device/session.hpp"
 #include "lab/accuracy/planes.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::accuracy {
 

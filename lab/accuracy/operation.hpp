@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "host/device/session.hpp"
 #include "lab/accuracy/error_statistics.hpp"
 #include "lab/accuracy/figures.hpp"
 #include "lab/accuracy/timing.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::accuracy {
 

@@ -6,8 +6,9 @@
 #include <fstream>
 
 #include "host/device/build_options.hpp"
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
 #include "lab/accuracy/elementwise.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::accuracy {
 
@@ -39,7 +40,7 @@ Machine describe_machine(const Settings& settings, int threads) {
   machine.platform = printable(info.platform);
   machine.verdict = settings.session->verdict() == Verdict::identical ? "identical" : "tolerant";
   machine.threads = threads;
-  const cl::Device device = settings.session->context().getInfo<CL_CONTEXT_DEVICES>().front();
+  const cl::Device device = context_of(*settings.session).getInfo<CL_CONTEXT_DEVICES>().front();
   machine.device_flags = build_options(device, cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()));
   return machine;
 }

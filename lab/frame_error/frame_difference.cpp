@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/error.hpp"
 #include "lab/frame_error/precise_frame.hpp"
 #include "lab/frame_error/stored_number.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::accuracy {
 

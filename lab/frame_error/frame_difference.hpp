@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "host/image/frame_buffer.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/shown_pixels.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/frame.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::accuracy {
 

@@ -4,9 +4,9 @@
 // rounded to fp32. Distances are positive along the view axis.
 #pragma once
 
-#include "anim/timeline.hpp"
 #include "host/render/frame/raster_grid.hpp"
 #include "lab/frame_error/real_vector.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl::accuracy {
 

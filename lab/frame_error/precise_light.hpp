@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "anim/timeline.hpp"
 #include "lab/frame_error/precise_camera.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl::accuracy {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "anim/timeline.hpp"
-#include "host/scene/model/scene.hpp"
 #include "lab/frame_error/precise_camera.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl::accuracy {
 

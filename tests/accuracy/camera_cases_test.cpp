@@ -1,11 +1,10 @@
 // Catalogue of extreme cases: cameras and projections.
 #include <boost/math/constants/constants.hpp>
 
-#include "host/error.hpp"
-#include "host/math/look_at.hpp"
-#include "host/math/oblique.hpp"
-#include "host/math/projection.hpp"
-#include "host/math/rounding.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"

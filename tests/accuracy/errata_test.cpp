@@ -1,18 +1,14 @@
 // docs/errata.md, line by line: what the printed formula gives for the counter-example, and what morphcl gives.
 #include <gtest/gtest.h>
 
-#include "anim/track.hpp"
-#include "host/error.hpp"
-#include "host/geometry/point_in_polygon.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/math/angle.hpp"
-#include "host/math/look_at.hpp"
-#include "host/math/oblique.hpp"
-#include "host/math/perspective_lerp.hpp"
-#include "host/math/projection.hpp"
-#include "host/math/rotation.hpp"
-#include "host/math/viewport.hpp"
-#include "host/math/window.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/predicates.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/rotation.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 namespace {

@@ -5,18 +5,12 @@
 #include <array>
 #include <string>
 
-#include "host/math/angle.hpp"
-#include "host/math/composite_transform.hpp"
 #include "host/math/kahan.hpp"
-#include "host/math/lerp.hpp"
-#include "host/math/oblique.hpp"
-#include "host/math/perspective_lerp.hpp"
-#include "host/math/predicates.hpp"
-#include "host/math/projection.hpp"
-#include "host/math/rotation.hpp"
-#include "host/math/trigonometry.hpp"
-#include "host/math/viewport.hpp"
-#include "host/math/window.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/predicates.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/rotation.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 #include "tests/math/reference.hpp"
 

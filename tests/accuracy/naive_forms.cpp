@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "host/math/half_storage.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl::naive {
 

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "host/geometry/point_in_polygon.hpp"
-#include "host/math/predicates.hpp"
+#include "morphcl/predicates.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 

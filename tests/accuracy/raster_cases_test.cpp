@@ -5,13 +5,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/shade.hpp"
 #include "host/render/reference/visibility.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/render/scene_builder.hpp"
@@ -29,7 +30,7 @@ FramePlan perspective_plan(int width, int height) {
     builder.add(make_cube(), Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
     return builder.look({0, 0, 5}).project(Perspective{90, 0.1, 100}).scene();
   }();
-  FramePlan plan = plan_frame(scene, 0);
+  FramePlan plan = *plan_frame(scene, 0);
   plan.width = width;
   plan.height = height;
   return plan;
@@ -194,7 +195,7 @@ TEST(ExtremeCase, OpposedMorphNormals) {
   SceneBuilder builder(64, 64);
   const int object = builder.add(mesh, Shading::smooth);
   builder.weight(object, 0.5).look({0, 0, 5});
-  const FramePlan plan = plan_frame(builder.scene(), 0);
+  const FramePlan plan = *plan_frame(builder.scene(), 0);
   const auto vertices = reference::project_vertices(plan.draws.at(0), plan, RasterGrid(64, 64));
   Worst stable, naive_form;
   const auto length = [](const glm::vec3& v) { return glm::length(glm::dvec3(v)); };

@@ -2,14 +2,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <functional>
 
-#include "anim/track.hpp"
-#include "host/error.hpp"
-#include "host/math/angle.hpp"
-#include "host/math/composite_transform.hpp"
-#include "host/math/orthonormal_basis.hpp"
-#include "host/math/rotation.hpp"
-#include "host/math/rounding.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/rotation.hpp"
+#include "morphcl/track.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"

@@ -1,6 +1,6 @@
-#include "anim/animated_transform.hpp"
+#include "morphcl/animated_transform.hpp"
 
-#include "anim/time_base.hpp"
+#include "morphcl/track.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

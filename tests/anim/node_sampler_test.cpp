@@ -7,7 +7,7 @@
 #include <random>
 
 #include "anim/timeline_at.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

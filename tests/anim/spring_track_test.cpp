@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "anim/track.hpp"
+#include "morphcl/track.hpp"
 #include "tests/anim/spring_reference.hpp"
 #include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"

@@ -1,4 +1,4 @@
-#include "anim/time_base.hpp"
+#include "morphcl/track.hpp"
 
 #include <cmath>
 #include <limits>

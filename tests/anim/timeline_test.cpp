@@ -1,9 +1,9 @@
-#include "anim/timeline.hpp"
+#include "morphcl/timeline.hpp"
 
 #include <limits>
 
-#include "host/math/composite_transform.hpp"
-#include "host/math/look_at.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

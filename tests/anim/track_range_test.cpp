@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "anim/track.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 namespace {

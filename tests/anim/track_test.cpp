@@ -1,10 +1,9 @@
-#include "anim/track.hpp"
+#include "morphcl/track.hpp"
 
 #include <array>
 #include <limits>
 #include <vector>
 
-#include "anim/time_base.hpp"
 #include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"
 

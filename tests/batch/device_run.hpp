@@ -1,7 +1,8 @@
 // Batch transforms on the device alone: transform_vertices() lets the host do small ones.
 #pragma once
 
-#include "host/batch/transform_buffers.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/opencl_interop.hpp"
 #include "tests/batch/test_batch.hpp"
 
 namespace morphcl::testing {
@@ -9,8 +10,8 @@ namespace morphcl::testing {
 // A buffer with the values' bytes.
 template <class Element>
 cl::Buffer buffer_of(const Session& session, const std::vector<Element>& values) {
-  if (values.empty()) return cl::Buffer(session.context(), CL_MEM_READ_WRITE, sizeof(Element));
-  return cl::Buffer(session.context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, values.size() * sizeof(Element),
+  if (values.empty()) return cl::Buffer(context_of(session), CL_MEM_READ_WRITE, sizeof(Element));
+  return cl::Buffer(context_of(session), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, values.size() * sizeof(Element),
                     const_cast<Element*>(values.data()));
 }
 
@@ -34,8 +35,8 @@ template <class Real>
 Batch<Real> read_back(const Session& session, const VertexBuffers& buffers, std::size_t count) {
   Batch<Real> batch(buffers.layout, count);
   for (std::size_t i = 0; i < array_count(batch.layout) && count > 0; ++i)
-    session.queue().enqueueReadBuffer(buffers.arrays[i], CL_TRUE, 0, batch.arrays[i].size() * sizeof(Real),
-                                      batch.arrays[i].data());
+    queue_of(session).enqueueReadBuffer(buffers.arrays[i], CL_TRUE, 0, batch.arrays[i].size() * sizeof(Real),
+                                        batch.arrays[i].data());
   return batch;
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::testing {
 

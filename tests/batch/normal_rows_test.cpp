@@ -1,11 +1,11 @@
 // The matrix for normals: special matrices whose answer is known exactly.
-#include "host/batch/normal_rows.hpp"
+#include "morphcl/batch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

@@ -11,7 +11,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 
-#include "host/batch/normal_rows.hpp"
+#include "morphcl/batch.hpp"
 #include "tests/batch/device_run.hpp"
 #include "tests/device/shared_session.hpp"
 

@@ -1,5 +1,5 @@
 // Parity: the device computes the bits of the reference, for every kind, layout, choice of matrices and precision.
-#include "host/batch/transform_buffers.hpp"
+#include "morphcl/opencl_interop.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,8 +9,9 @@
 #include <functional>
 #include <limits>
 
-#include "host/batch/transform_reference.hpp"
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/batch.hpp"
+#include "morphcl/error.hpp"
 #include "tests/batch/device_run.hpp"
 #include "tests/device/shared_session.hpp"
 
@@ -166,7 +167,7 @@ TYPED_TEST(TransformParity, AMissingMatrixMakesNaNOfItsVertexAloneAndIsReported)
         for (std::size_t axis = 0; axis < 3; ++axis)
           EXPECT_EQ(std::isnan(results.at(i, axis)), std::count(bad.begin(), bad.end(), i) > 0) << i;
       cl_uint found = 0;
-      shared_session().queue().enqueueReadBuffer(bad_index, CL_TRUE, 0, sizeof found, &found);
+      queue_of(shared_session()).enqueueReadBuffer(bad_index, CL_TRUE, 0, sizeof found, &found);
       EXPECT_EQ(found, 1u);
       Batch<TypeParam> expected(layout, count);
       transform_reference(transform, in.vertices(), expected.vertices(), same);
@@ -206,7 +207,7 @@ TEST(TransformBuffers, RefusesBuffersThatAreTooSmall) {
   refused(ten, buffers_of(session, Batch<float>(VertexLayout::separate, 10)), indices,
           "the input is xyz and the output separate");
   enqueue_transform(session, transform, ten, ten, 10, indices);
-  session.queue().finish();
+  queue_of(session).finish();
 }
 
 TEST(TransformBuffers, NormalsAreNotBlended) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "host/batch/transform_reference.hpp"
-#include "host/error.hpp"
+#include "morphcl/batch.hpp"
+#include "morphcl/error.hpp"
 #include "tests/batch/expect_usage_error.hpp"
 #include "tests/batch/test_batch.hpp"
 

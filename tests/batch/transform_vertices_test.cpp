@@ -1,5 +1,5 @@
 // Batch transforms in the host's memory: the bits of the reference, and nothing touched but what was given.
-#include "host/batch/transform_vertices.hpp"
+#include "morphcl/batch.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,8 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "host/batch/transform_reference.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/batch/test_batch.hpp"
 #include "tests/device/shared_session.hpp"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/batch/expect_usage_error.hpp"
 
 namespace morphcl {

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
-#include "host/scene/load_scene.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::viewer_test {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "host/image/frame_buffer.hpp"
 #include "host/image/png_file.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/frame.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::viewer_test {
 

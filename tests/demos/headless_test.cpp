@@ -1,7 +1,7 @@
 // The demos without a window: scripts, files and errors.
 #include <algorithm>
 
-#include "host/image/exr_file.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/demos/demo_program.hpp"
 #include "tests/demos/expected_frame.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::viewer {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "host/image/exr_file.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/demos/demo_program.hpp"
 #include "tests/demos/expected_frame.hpp"
 #include "tests/demos/virtual_display.hpp"

@@ -16,11 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "host/batch/transform_reference.hpp"
-#include "host/batch/transform_vertices.hpp"
 #include "host/device/launch.hpp"
-#include "host/device/session.hpp"
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/batch.hpp"
+#include "morphcl/error.hpp"
 #include "tests/batch/device_run.hpp"
 
 namespace {
@@ -130,9 +129,9 @@ void write_outside() {
                             "tests/device/device_child.cpp",
                             "kernel void stray(global int* values) { values[get_global_id(0) + 4] = 1; }",
                             {{"stray", {{"values", "int"}}}}};
-  const BufferAs<Values> values(cl::Buffer(session->context(), CL_MEM_READ_WRITE, 4 * sizeof(cl_int)));
-  launch(session->queue(), session->kernel(source, "stray"), cl::NDRange(4), cl::NDRange(1), values);
-  session->queue().finish();
+  const BufferAs<Values> values(cl::Buffer(context_of(*session), CL_MEM_READ_WRITE, 4 * sizeof(cl_int)));
+  launch(queue_of(*session), kernel_of(*session, source, "stray"), cl::NDRange(4), cl::NDRange(1), values);
+  queue_of(*session).finish();
 }
 
 }  // namespace

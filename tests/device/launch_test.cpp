@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "host/device/session_access.hpp"
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {
@@ -79,11 +80,11 @@ class Launch : public ::testing::Test {
  protected:
   // What is still compiling when the process ends crashes PoCL: LLVM's statics go before the session of all tests.
   void TearDown() override { queue().finish(); }
-  Kernel kernel(const char* name) { return shared_session().kernel(launch_source, name); }
-  const cl::CommandQueue& queue() { return shared_session().queue(); }
+  Kernel kernel(const char* name) { return kernel_of(shared_session(), launch_source, name); }
+  const cl::CommandQueue& queue() { return queue_of(shared_session()); }
   template <class Meaning>
   DeviceBuffer<Meaning> buffer(typename Meaning::Element first = {}) {
-    DeviceBuffer<Meaning> made(shared_session().context());
+    DeviceBuffer<Meaning> made(context_of(shared_session()));
     made.map(queue(), 1)[0] = first;
     return made;
   }
@@ -224,7 +225,7 @@ TEST(KernelSignatures, NoKernelTakesMoreThanTwelveArguments) {
 TEST(KernelSignatures, AreThoseThatTheDriverKnows) {
   for (const KernelSource& program : kernel_sources()) {
     if (program.stage.ends_with("_f64") && !shared_session().info().fp64) continue;
-    cl::Program built(shared_session().context(), program.text);
+    cl::Program built(context_of(shared_session()), program.text);
     built.build("-cl-std=CL1.2 -w -cl-kernel-arg-info");
     std::vector<cl::Kernel> kernels;
     built.createKernels(&kernels);

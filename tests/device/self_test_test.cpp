@@ -13,6 +13,7 @@
 
 #include "host/device/kernel_source.hpp"
 #include "host/device/self_test_reference.hpp"
+#include "host/device/session_access.hpp"
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {
@@ -31,12 +32,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 SelfTestResult run_source(const std::string& source, const std::string& options) {
   Session& session = shared_session();
-  cl::Program program(session.context(), source);
+  cl::Program program(context_of(session), source);
   program.build(options.c_str());
   const auto kernel = [&](const char* name) {
     return Kernel(cl::Kernel(program, name), signature_of(kernel_source("self_test"), name));
   };
-  return run_self_test(session.context(), session.queue(), kernel("self_test_scalar"), kernel("self_test_vector"));
+  return run_self_test(context_of(session), queue_of(session), kernel("self_test_scalar"), kernel("self_test_vector"));
 }
 
 constexpr const char* strict_options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";

@@ -1,12 +1,12 @@
 // Finding and choosing devices, and what is said when there is none.
-#include "host/device/session.hpp"
+#include "host/device/session_access.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/device/child_process.hpp"
 #include "tests/device/shared_session.hpp"
 
@@ -79,7 +79,7 @@ TEST(Session, WithoutAnyDeviceThePackageIsNamed) {
 TEST(Session, UnknownProgramsAndKernelsAreNamed) {
   const auto expect_named = [](const char* stage, const char* kernel, const char* named) {
     try {
-      shared_session().kernel(kernel_source(stage), kernel);
+      kernel_of(shared_session(), kernel_source(stage), kernel);
       FAIL() << stage << "/" << kernel << " was found";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::internal);
@@ -92,8 +92,8 @@ TEST(Session, UnknownProgramsAndKernelsAreNamed) {
 
 TEST(Session, KernelObjectsAreNotShared) {
   const KernelSource& source = kernel_source("self_test");
-  const Kernel one = shared_session().kernel(source, "self_test_scalar");
-  const Kernel other = shared_session().kernel(source, "self_test_scalar");
+  const Kernel one = kernel_of(shared_session(), source, "self_test_scalar");
+  const Kernel other = kernel_of(shared_session(), source, "self_test_scalar");
   EXPECT_NE(one.object()(), other.object()());
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/device/launch.hpp"
+#include "host/device/session_access.hpp"
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {
@@ -18,10 +19,10 @@ using Values = Argument<cl_uint, "values", "uint">;
 
 BufferAs<Values> values_in(const SharedBuffer& buffer) { return BufferAs<Values>(buffer.buffer()); }
 
-const cl::CommandQueue& queue() { return shared_session().queue(); }
+const cl::CommandQueue& queue() { return queue_of(shared_session()); }
 
 TEST(SharedBuffer, StartsWithAPageAndNeverShrinks) {
-  SharedBuffer buffer(shared_session().context());
+  SharedBuffer buffer(context_of(shared_session()));
   EXPECT_GE(buffer.capacity(), 4096u);
   buffer.ensure(10000);
   const std::size_t capacity = buffer.capacity();
@@ -34,7 +35,7 @@ TEST(SharedBuffer, StartsWithAPageAndNeverShrinks) {
 }
 
 TEST(SharedBuffer, IsAlignedToPagesAndLargeOnesToHugePages) {
-  SharedBuffer buffer(shared_session().context());
+  SharedBuffer buffer(context_of(shared_session()));
   const auto address = [&] { return reinterpret_cast<std::uintptr_t>(buffer.map<char>(queue(), 1).data()); };
   EXPECT_EQ(address() % 4096, 0u);
   buffer.ensure(std::size_t{5} << 20);
@@ -46,8 +47,8 @@ TEST(SharedBuffer, HostAndDeviceSeeEachOthersWrites) {
                             "tests/device/shared_buffer_test.cpp",
                             "kernel void increment(global uint* values) { ++values[get_global_id(0)]; }",
                             {{"increment", {{"values", "uint"}}}}};
-  const Kernel increment = shared_session().kernel(source, "increment");
-  SharedBuffer buffer(shared_session().context());
+  const Kernel increment = kernel_of(shared_session(), source, "increment");
+  SharedBuffer buffer(context_of(shared_session()));
   constexpr int count = 3000;
   buffer.ensure(count * sizeof(int));
   for (int round = 0; round < 3; ++round) {
@@ -74,8 +75,8 @@ TEST(SharedBuffer, GrowsWhileTheDeviceUsesTheOldMemory) {
       }
     })CL",
                             {{"keep_busy", {{"values", "uint"}, {"rounds", "uint"}}}}};
-  const Kernel keep_busy = shared_session().kernel(source, "keep_busy");
-  SharedBuffer buffer(shared_session().context());
+  const Kernel keep_busy = kernel_of(shared_session(), source, "keep_busy");
+  SharedBuffer buffer(context_of(shared_session()));
   buffer.ensure(16 * 1024 * sizeof(cl_uint));
   launch(queue(), keep_busy, cl::NDRange(16), cl::NDRange(1), values_in(buffer), Named{"rounds", cl_uint{1000000}});
   buffer.ensure(std::size_t{8} << 20);
@@ -84,7 +85,7 @@ TEST(SharedBuffer, GrowsWhileTheDeviceUsesTheOldMemory) {
 }
 
 TEST(SharedBuffer, MoreThanTheDeviceHasIsRefused) {
-  SharedBuffer buffer(shared_session().context());
+  SharedBuffer buffer(context_of(shared_session()));
   for (const std::size_t bytes :
        {shared_session().info().max_allocation + 1, std::numeric_limits<std::size_t>::max()}) {
     try {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "host/device/session.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::testing {
 

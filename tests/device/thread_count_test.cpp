@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/device/child_process.hpp"
 
 namespace morphcl {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 namespace {

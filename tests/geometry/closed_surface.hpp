@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "host/geometry/mesh.hpp"
+#include "morphcl/mesh.hpp"
 
 namespace morphcl::testing {
 

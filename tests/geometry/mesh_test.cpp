@@ -1,11 +1,11 @@
-#include "host/geometry/mesh.hpp"
+#include "morphcl/mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

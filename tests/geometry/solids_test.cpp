@@ -1,4 +1,4 @@
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "host/error.hpp"
 #include "host/geometry/bounds.hpp"
+#include "morphcl/error.hpp"
 #include "tests/geometry/closed_surface.hpp"
 
 namespace morphcl {

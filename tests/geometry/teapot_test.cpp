@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "host/geometry/bounds.hpp"
-#include "host/geometry/solids.hpp"
 #include "host/geometry/teapot_patches.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/geometry/closed_surface.hpp"
 
 namespace morphcl {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "host/geometry/solids.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl {
 namespace {

@@ -15,8 +15,8 @@
 #include <cstring>
 #include <functional>
 
-#include "host/error.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/error.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

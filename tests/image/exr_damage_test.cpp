@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "host/error.hpp"
 #include "host/image/exr_encode.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

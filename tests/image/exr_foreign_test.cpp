@@ -12,9 +12,8 @@
 #include <gtest/gtest.h>
 #include <half.h>
 
-#include "host/error.hpp"
-#include "host/image/exr_description.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

@@ -6,7 +6,7 @@
 #include <ImfInputFile.h>
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/image/temporary_folder.hpp"
 
 namespace morphcl {

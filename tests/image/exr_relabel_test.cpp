@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
 #include "host/image/exr_encode.hpp"
+#include "morphcl/error.hpp"
 #include "tests/image/test_frames.hpp"
 
 namespace morphcl {

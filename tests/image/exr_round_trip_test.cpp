@@ -3,9 +3,9 @@
 
 #include <tuple>
 
-#include "host/error.hpp"
 #include "host/image/exr_encode.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

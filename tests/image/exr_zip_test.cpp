@@ -1,6 +1,7 @@
 // morphcl's own ZIP path against OpenEXR's: the same header, the same prepared bytes, and files that decode to the
 // frame.
 #include "host/image/exr_zip.hpp"
+#include "host/image/raw_frame.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfOutputFile.h>
@@ -77,7 +78,7 @@ std::vector<std::uint8_t> inflated(const ExrChunk& chunk, std::size_t bytes) {
 
 // Marks a block of 16 x 16 pixels as blank and fills it, if `with` is not 0, with what nobody may look at.
 void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with) {
-  const FrameBuffer::Memory memory = frame.memory();
+  const RawFrame memory(frame);
   constexpr std::size_t side = FrameBuffer::block_side;
   const std::size_t first = static_cast<std::size_t>(block_x) * side;
   for (std::size_t y = 0; y < side; ++y) {

@@ -1,10 +1,11 @@
-#include "host/image/frame_buffer.hpp"
+#include "host/image/raw_frame.hpp"
+#include "morphcl/frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {
@@ -107,12 +108,12 @@ TEST(FrameBuffer, ImpossibleSizesAreRefused) {
 
 TEST(FrameBuffer, NotesOfBlankTilesAreGoneOnceOthersMayHaveWritten) {
   FrameBuffer frame(64, 64, true, true);
-  frame.memory().note(0, 0) = 0xffff;
+  RawFrame(frame).note(0, 0) = 0xffff;
   EXPECT_TRUE(frame.blank(0, 0));
-  EXPECT_TRUE(frame.memory().notes_hold);
+  EXPECT_TRUE(RawFrame(frame).notes_hold);
   frame.color_row(0, 0)[0] = 1;
   EXPECT_FALSE(frame.blank(0, 0));
-  EXPECT_FALSE(frame.memory().notes_hold);  // and a renderer that now fails has drawn nothing blank:
+  EXPECT_FALSE(RawFrame(frame).notes_hold);  // and a renderer that now fails has drawn nothing blank:
   EXPECT_FALSE(frame.blank(0, 0));
 }
 

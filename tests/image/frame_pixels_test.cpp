@@ -1,4 +1,4 @@
-#include "host/image/frame_pixels.hpp"
+#include "morphcl/frame.hpp"
 
 #include <gtest/gtest.h>
 #include <half.h>
@@ -8,8 +8,8 @@
 #include <functional>
 #include <limits>
 
-#include "host/error.hpp"
 #include "host/image/thumbnail.hpp"
+#include "morphcl/error.hpp"
 #include "tests/image/test_frames.hpp"
 
 namespace morphcl {

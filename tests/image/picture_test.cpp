@@ -7,9 +7,9 @@
 #include <limits>
 #include <thread>
 
-#include "host/error.hpp"
 #include "host/image/contact_sheet.hpp"
 #include "host/image/srgb.hpp"
+#include "morphcl/error.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
 

@@ -1,4 +1,5 @@
 #include "host/image/pixel_hash.hpp"
+#include "host/image/raw_frame.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -106,7 +107,7 @@ TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
     for (int y = 64; y < 70; ++y) std::ranges::fill(frame->depth_row(y).last(6), background_depth);
     frame->color_row(2, 0)[5] = frame->color_row(2, 69)[149] = 0x3c00;
   }
-  const FrameBuffer::Memory memory = marked.memory();  // the last to touch it, so that its notes hold
+  const RawFrame memory(marked);  // the last to touch it, so that its notes hold
   for (int tile = 0; tile < 6; ++tile) memory.note(tile % 3, tile / 3) = 0xffff;
   memory.note(0, 0) = 0xfffe;  // all but the first block
   memory.note(2, 1) = 0xfffd;  // all but the one with the last pixel

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl::image_test {
 

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/image/exr_file.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/job/frame_lists.hpp"
@@ -28,14 +29,15 @@ class NotingRenderer : public Renderer {
   std::vector<std::int64_t> rendered;
   std::function<void(std::int64_t frame)> before_draw;  // may throw
 
-  void render(const FramePlan& plan, FrameBuffer& frame) override {
-    rendered.push_back(plan.frame);
-    if (before_draw) before_draw(plan.frame);
-    renderer_->render(plan, frame);
-  }
   std::string name() const override { return "noting"; }
 
  private:
+  void draw(const FramePlan& plan, FrameBuffer& frame) override {
+    rendered.push_back(plan.frame);
+    if (before_draw) before_draw(plan.frame);
+    renderer_->render(Plan(plan), frame);
+  }
+
   std::unique_ptr<Renderer> renderer_ = make_reference_renderer();
 };
 

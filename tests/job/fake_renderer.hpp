@@ -6,7 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "host/job/render_job.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/job.hpp"
 #include "tests/image/test_frames.hpp"
 
 namespace morphcl::job_test {
@@ -23,14 +24,16 @@ class FakeRenderer : public Renderer {
   std::set<const FrameBuffer*> buffers;                 // that were handed in
   std::function<void(std::int64_t frame)> before_draw;  // may throw
 
-  void render(const FramePlan& plan, FrameBuffer& frame) override {
+  std::string name() const override { return "fake"; }
+
+ private:
+  void draw(const FramePlan& plan, FrameBuffer& frame) override {
     rendered.push_back(plan.frame);
     buffers.insert(&frame);
     if (before_draw) before_draw(plan.frame);
     const FrameBuffer pixels = pixels_of(plan.frame);
     std::copy_n(pixels.data(), pixels.bytes(), frame.data());
   }
-  std::string name() const override { return "fake"; }
 };
 
 inline Scene empty_scene() {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "host/job/render_job.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl::job_test {
 

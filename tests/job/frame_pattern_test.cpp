@@ -4,7 +4,7 @@
 
 #include <climits>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <thread>
 
-#include "host/image/exr_file.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 

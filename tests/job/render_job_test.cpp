@@ -1,4 +1,4 @@
-#include "host/job/render_job.hpp"
+#include "morphcl/job.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "host/error.hpp"
-#include "host/image/exr_file.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/exr.hpp"
 #include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/job/frame_lists.hpp"

@@ -1,4 +1,4 @@
-#include "host/math/angle.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "host/math/axonometric.hpp"
+#include "morphcl/camera.hpp"
 
 #include "tests/math/check.hpp"
 

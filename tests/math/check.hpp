@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/math/reference.hpp"
 
 namespace morphcl {

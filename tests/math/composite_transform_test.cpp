@@ -1,8 +1,7 @@
-#include "host/math/composite_transform.hpp"
+#include "morphcl/transform.hpp"
 
 #include <limits>
 
-#include "host/math/inverse.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

@@ -1,9 +1,9 @@
-#include "host/math/convention.hpp"
+#include "morphcl/convention.hpp"
 
 #include <cstring>
 
-#include "host/math/composite_transform.hpp"
-#include "host/math/projection.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

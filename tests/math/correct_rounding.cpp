@@ -6,9 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "host/math/angle.hpp"
-#include "host/math/exponential.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl::reference {
 

@@ -5,9 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "host/math/angle.hpp"
-#include "host/math/exponential.hpp"
-#include "host/math/trigonometry.hpp"
+#include "morphcl/numerics.hpp"
 #include "tests/math/elementary_arguments.hpp"
 #include "tests/math/reference.hpp"
 

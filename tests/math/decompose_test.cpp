@@ -1,6 +1,5 @@
-#include "host/math/decompose.hpp"
+#include "morphcl/transform.hpp"
 
-#include "host/math/composite_transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

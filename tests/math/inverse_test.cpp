@@ -1,6 +1,5 @@
-#include "host/math/inverse.hpp"
+#include "morphcl/transform.hpp"
 
-#include "host/math/composite_transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

@@ -1,4 +1,4 @@
-#include "host/math/look_at.hpp"
+#include "morphcl/camera.hpp"
 
 #include "tests/math/check.hpp"
 

@@ -1,6 +1,5 @@
-#include "host/math/oblique.hpp"
+#include "morphcl/projection.hpp"
 
-#include "host/math/projection.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

@@ -1,6 +1,5 @@
-#include "host/math/principal_view.hpp"
+#include "morphcl/camera.hpp"
 
-#include "host/math/look_at.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

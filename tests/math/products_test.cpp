@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "host/math/kahan.hpp"
-#include "host/math/lerp.hpp"
-#include "host/math/rounding.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

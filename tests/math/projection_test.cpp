@@ -1,4 +1,4 @@
-#include "host/math/projection.hpp"
+#include "morphcl/projection.hpp"
 
 #include "tests/math/check.hpp"
 

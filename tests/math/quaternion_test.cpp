@@ -1,4 +1,4 @@
-#include "host/math/quaternion.hpp"
+#include "morphcl/rotation.hpp"
 
 #include "tests/math/check.hpp"
 

@@ -1,10 +1,10 @@
-#include "host/math/rotation.hpp"
+#include "morphcl/rotation.hpp"
 
 #include <limits>
 #include <vector>
 
-#include "host/math/angle.hpp"
-#include "host/math/composite_transform.hpp"
+#include "morphcl/numerics.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

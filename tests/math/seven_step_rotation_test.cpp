@@ -1,4 +1,4 @@
-#include "host/math/seven_step_rotation.hpp"
+#include "morphcl/transform.hpp"
 
 #include <algorithm>
 

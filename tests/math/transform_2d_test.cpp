@@ -1,4 +1,4 @@
-#include "host/math/transform_2d.hpp"
+#include "morphcl/transform_2d.hpp"
 
 #include "tests/math/check.hpp"
 

@@ -1,9 +1,9 @@
-#include "host/math/vanishing_point.hpp"
+#include "morphcl/projection.hpp"
 
 #include <limits>
 
-#include "host/math/composite_transform.hpp"
-#include "host/math/look_at.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
 
 namespace morphcl {

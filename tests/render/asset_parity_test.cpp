@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "host/job/render_job.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/reference/reference_renderer.hpp"
-#include "host/scene/load_scene.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/job.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
 #include "tests/device/temporary_folder.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
@@ -27,9 +27,9 @@ void expect_parity_of_every_frame(const std::string& path) {
   const Planner planner(scene);
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   for (const std::int64_t frame : frame_numbers(scene.frames)) {
-    const FramePlan plan = planner.plan(frame);
-    FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth),
-        actual(plan.width, plan.height, plan.color, plan.depth);
+    const Plan plan = planner.plan(frame);
+    FrameBuffer expected(plan->width, plan->height, plan->color, plan->depth),
+        actual(plan->width, plan->height, plan->color, plan->depth);
     reference->render(plan, expected);
     device->render(plan, actual);
     ASSERT_TRUE(same_pixels(expected, actual)) << "frame " << frame;

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include "host/device/kernel_source.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/device/session_access.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
 #include "tests/device/kernel_libraries.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
@@ -27,12 +28,12 @@ TEST(FpContract, WithoutThePragmaTheBitsChange) {
   const bool has_fma = std::find(libraries.begin(), libraries.end(), "avx2") != libraries.end();
   SessionOptions options;
   options.cache_dir = "-";
-  options.edit_source = [](std::string text) { return text.erase(0, pragma.size()); };
-  const auto contracted = make_device_renderer(Session::open(options)), reference = make_reference_renderer();
+  const auto session = open_session(options, [](std::string text) { return text.erase(0, pragma.size()); });
+  const auto contracted = make_device_renderer(session), reference = make_reference_renderer();
   bool same = true;
   for (const TestScene& test : test_scenes(200, 150)) {
-    const FramePlan plan = plan_frame(test.scene, test.frames[0]);
-    FrameBuffer expected(plan.width, plan.height, true, true), actual(plan.width, plan.height, true, true);
+    const Plan plan = plan_frame(test.scene, test.frames[0]);
+    FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
     reference->render(plan, expected);
     contracted->render(plan, actual);
     same &= static_cast<bool>(same_pixels(expected, actual));

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/visibility.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/math/reference.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
@@ -24,8 +24,8 @@ namespace {
 using reference::infinity;
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
 
-FrameBuffer draw(Renderer& renderer, const FramePlan& plan) {
-  FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
+FrameBuffer draw(Renderer& renderer, const Plan& plan) {
+  FrameBuffer pixels(plan->width, plan->height, plan->color, plan->depth);
   renderer.render(plan, pixels);
   return pixels;
 }
@@ -33,10 +33,10 @@ FrameBuffer draw(Renderer& renderer, const FramePlan& plan) {
 FrameBuffer draw(const Scene& scene) { return draw(*make_reference_renderer(), plan_frame(scene, 0)); }
 
 // 1 on the near plane, 0 on the far one, for the near plane as renderers have it.
-Exact normalized_depth(const FramePlan& plan, double far, const Exact& distance) {
-  if (plan.camera.parallel) return (Exact(far) - distance) / (Exact(far) + Exact(plan.camera.near_depth));
-  const Exact ratio = std::isinf(far) ? Exact(0) : Exact(plan.camera.near) / Exact(far);
-  return (Exact(plan.camera.near) / distance - ratio) / (1 - ratio);
+Exact normalized_depth(const Plan& plan, double far, const Exact& distance) {
+  if (plan->camera.parallel) return (Exact(far) - distance) / (Exact(far) + Exact(plan->camera.near_depth));
+  const Exact ratio = std::isinf(far) ? Exact(0) : Exact(plan->camera.near) / Exact(far);
+  return (Exact(plan->camera.near) / distance - ratio) / (1 - ratio);
 }
 
 class DepthBuffers : public ::testing::TestWithParam<DepthFormat> {
@@ -68,8 +68,8 @@ TEST_P(DepthBuffers, TheDeviceDrawsTheReferencesBits) {
   const auto reference = make_reference_renderer(), device = make_device_renderer(shared_session());
   for (const TestScene& test : test_scenes(150, 90)) {
     const Scene scene = with_format(test.scene);
-    const FramePlan plan = plan_frame(scene, test.frames.back()),
-                    whole = plan_frame(scene, test.frames.back(), {.leave_out = false});
+    const Plan plan = plan_frame(scene, test.frames.back()),
+               whole = plan_frame(scene, test.frames.back(), {.leave_out = false});
     const FrameBuffer expected = draw(*reference, plan);
     EXPECT_TRUE(same_pixels(expected, draw(*device, plan))) << test.name;
     EXPECT_TRUE(same_pixels(expected, draw(*device, whole))) << test.name << ", nothing left out";
@@ -136,7 +136,7 @@ TEST_P(ForwardDepthBuffers, ShowTheNearerOfTwoWhereTheirNumbersDiffer) {
     for (const double gap : {1e-7, 1e-5, 1e-3}) {
       const Pairs pairs(0.1, far, 1e5, gap, 5);
       const Scene scene = with_format(pairs.scene);
-      const FramePlan plan = plan_frame(scene, 0);
+      const Plan plan = plan_frame(scene, 0);
       const FrameBuffer frame = draw(*device, plan);
       int told_apart = 0, wrong = 0;
       for (int i = 0; i < Pairs::cells * Pairs::cells; ++i) {
@@ -190,10 +190,10 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
     b.add(mesh, Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
     b.look({0, 0, 0}, {0, 0, -1}).project(projection);
     const Scene scene = with_format(b.scene());
-    const FramePlan plan = plan_frame(scene, 0);
-    const RasterGrid grid(plan.width, plan.height);
-    const auto vertices = reference::project_vertices(plan.draws.at(0), plan, grid);
-    const reference::Visibility visible = reference::find_visible(plan, grid, {vertices});
+    const Plan plan = plan_frame(scene, 0);
+    const RasterGrid grid(plan->width, plan->height);
+    const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
+    const reference::Visibility visible = reference::find_visible(*plan, grid, {vertices});
     int seen = 0;
     for (int i = 0; i < 128 * 128; ++i) {
       const reference::Sample& sample = visible.samples[i];
@@ -204,7 +204,7 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
         const reference::Vertex& v = vertices[3 * sample.primitive + k];
         x[k] = v.screen.x;
         y[k] = v.screen.y;
-        c[k] = normalized_depth(plan, far, plan.camera.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
+        c[k] = normalized_depth(plan, far, plan->camera.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
       }
       const Exact px = i % 128 * 256 + 128, py = i / 128 * 256 + 128;
       const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
@@ -214,9 +214,9 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
       EXPECT_LE(abs(exact - Exact(sample.key)), bound) << "pixel " << i;
       // Z stands for the number stored, within three roundings.
       const double distance = distance_of_stored(
-          GetParam(), {plan.camera.parallel ? 0.5 : plan.camera.near, far, plan.camera.parallel != 0}, sample.key);
-      const float z = plan.camera.parallel ? -sample.depth : plan.camera.near / sample.depth;
-      EXPECT_LE(std::abs(z - distance), 4 * 0x1p-24 * std::max(distance, plan.camera.parallel ? far : 0.0))
+          GetParam(), {plan->camera.parallel ? 0.5 : plan->camera.near, far, plan->camera.parallel != 0}, sample.key);
+      const float z = plan->camera.parallel ? -sample.depth : plan->camera.near / sample.depth;
+      EXPECT_LE(std::abs(z - distance), 4 * 0x1p-24 * std::max(distance, plan->camera.parallel ? far : 0.0))
           << "pixel " << i;
     }
     EXPECT_GT(seen, 2000);
@@ -233,12 +233,12 @@ TEST_P(DepthBuffers, EndAtTheFarPlane) {
     b.look({0, 0, 0}, {0, -0.1, -1});
     parallel ? b.project(Orthographic{-8, 8, -6, 6, 1, far}) : b.project(Perspective{50, 0.1, far});
     const Scene& scene = with_format(b.scene());
-    const FramePlan plan = plan_frame(scene, 0);
+    const Plan plan = plan_frame(scene, 0);
     const FrameBuffer frame = draw(scene);
     int drawn = 0, beyond = 0;
     for (int y = 0; y < 120; ++y) {
       // y_eye and distance of the pixel's ray; the floor is y_world = -1.
-      const double t = plan.camera.ray[2] * (y + 0.5) + plan.camera.ray[3], down = 0.1 / std::sqrt(1.01),
+      const double t = plan->camera.ray[2] * (y + 0.5) + plan->camera.ray[3], down = 0.1 / std::sqrt(1.01),
                    ahead = 1 / std::sqrt(1.01);
       const double d = parallel ? (1 + t * ahead) / down : -1 / (t * ahead - down);
       if (!(d > 1.1) && parallel) continue;

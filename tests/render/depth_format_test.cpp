@@ -1,5 +1,5 @@
 // What depth buffers keep of a distance, against 113 bits and the catalogue of extreme cases: near = 0.1, far = 1e5.
-#include "host/math/depth_format.hpp"
+#include "morphcl/depth_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "host/error.hpp"
 #include "host/image/pixel_hash.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/session.hpp"
 #include "tests/render/test_scenes.hpp"
 
 int main(int count, char** values) {

@@ -2,10 +2,10 @@
 // every frame of a sequence has the bits of the reference's, in whatever order, into whatever buffer.
 #include <algorithm>
 
-#include "host/geometry/solids.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
@@ -50,7 +50,7 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
   void SetUp() override { scene_ = lively_scene(GetParam()); }
 
   void expect_parity(const Planner& planner, std::int64_t frame, FrameBuffer& buffer, bool anything_in_view = true) {
-    const FramePlan plan = planner.plan(frame);
+    const Plan plan = planner.plan(frame);
     FrameBuffer expected(kept_width, kept_height, true, true);
     reference_->render(plan, expected);
     device_->render(plan, buffer);
@@ -102,6 +102,8 @@ TEST_P(KeptFrame, AnotherPlannersMeshesAreNotTakenForThese) {
   for (Mesh& mesh : scene_.meshes)
     for (glm::vec3& position : mesh.positions) position *= 0.9f;
   const Planner planner(scene_);
+  reference_->forget();
+  device_->forget();
   expect_parity(planner, 3, buffer);
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/image/frame_buffer.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl::test {
 

@@ -1,9 +1,9 @@
 // The device draws the reference's bits: every test scene, at sizes that do and do not fill whole tiles.
 #include "tests/render/parity.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/planner.hpp"
 
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/renderer.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/render/test_scenes.hpp"
 
@@ -12,13 +12,13 @@ namespace {
 
 void expect_parity(Renderer& device, Renderer& reference, const Scene& scene, std::int64_t frame,
                    bool may_be_blank = false) {
-  const FramePlan plan = plan_frame(scene, frame);
-  FrameBuffer expected(plan.width, plan.height, plan.color, plan.depth),
-      actual(plan.width, plan.height, plan.color, plan.depth);
+  const Plan plan = plan_frame(scene, frame);
+  FrameBuffer expected(plan->width, plan->height, plan->color, plan->depth),
+      actual(plan->width, plan->height, plan->color, plan->depth);
   reference.render(plan, expected);
   device.render(plan, actual);
   EXPECT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
-  if (plan.color && !may_be_blank) {
+  if (plan->color && !may_be_blank) {
     EXPECT_GT(covered_pixels(expected), 0u);
   }
 }
@@ -68,8 +68,8 @@ TEST(Parity, AFrameDoesNotDependOnTheFramesBefore) {
   const auto device = make_device_renderer(shared_session());
   std::vector<FrameBuffer> first;
   for (const TestScene& test : scenes) {
-    const FramePlan plan = plan_frame(test.scene, test.frames.back());
-    first.emplace_back(plan.width, plan.height, true, true);
+    const Plan plan = plan_frame(test.scene, test.frames.back());
+    first.emplace_back(plan->width, plan->height, true, true);
     make_device_renderer(shared_session())->render(plan, first.back());
   }
   for (std::size_t i = scenes.size(); i-- > 0;) {

@@ -5,12 +5,13 @@
 #include <random>
 
 #include "anim/timeline_at.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/math/composite_transform.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/plan/view_volume.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {
@@ -187,18 +188,18 @@ TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
   const Planner planner(b.scene());
   std::size_t max = 0;
   for (const std::int64_t frame : {3, 17, 4, 4, 0, 17, 28}) {
-    const FramePlan again = planner.plan(frame), alone = plan_frame(b.scene(), frame);
-    ASSERT_EQ(again.draws.size(), alone.draws.size()) << "frame " << frame;
-    EXPECT_EQ(again.clips, alone.clips);
-    for (std::size_t i = 0; i < alone.draws.size(); ++i) {
-      EXPECT_EQ(again.draws[i].object, alone.draws[i].object);
-      EXPECT_EQ(again.draws[i].object_to_clip, alone.draws[i].object_to_clip);
-      EXPECT_EQ(again.draws[i].normal_to_eye, alone.draws[i].normal_to_eye);
-      EXPECT_TRUE(std::equal(again.draws[i].targets.begin(), again.draws[i].targets.end(),
-                             alone.draws[i].targets.begin(), alone.draws[i].targets.end()));
-      EXPECT_TRUE(i == 0 || alone.draws[i - 1].object < alone.draws[i].object) << "drawn in the scene's order";
+    const Plan again = planner.plan(frame), alone = plan_frame(b.scene(), frame);
+    ASSERT_EQ(again->draws.size(), alone->draws.size()) << "frame " << frame;
+    EXPECT_EQ(again->clips, alone->clips);
+    for (std::size_t i = 0; i < alone->draws.size(); ++i) {
+      EXPECT_EQ(again->draws[i].object, alone->draws[i].object);
+      EXPECT_EQ(again->draws[i].object_to_clip, alone->draws[i].object_to_clip);
+      EXPECT_EQ(again->draws[i].normal_to_eye, alone->draws[i].normal_to_eye);
+      EXPECT_TRUE(std::equal(again->draws[i].targets.begin(), again->draws[i].targets.end(),
+                             alone->draws[i].targets.begin(), alone->draws[i].targets.end()));
+      EXPECT_TRUE(i == 0 || alone->draws[i - 1].object < alone->draws[i].object) << "drawn in the scene's order";
     }
-    max = std::max(max, alone.draws.size());
+    max = std::max(max, alone->draws.size());
   }
   EXPECT_GT(max, 10u);
 }

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/explain/report.hpp"
-#include "host/render/reference/reference_renderer.hpp"
-#include "host/scene/load_scene.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/explain.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
 
@@ -40,7 +40,7 @@ TEST(DemoShots, NoTwoHaveTheSamePlan) {
   for (const std::string& path : demo_shots()) {
     const Scene scene = load(path);
     std::string items;
-    for (const PlanNote& note : explain(Planner(scene), scene, {}, middle_frame(scene)).notes)
+    for (const PlanNote& note : explain(Planner(scene), middle_frame(scene)).notes)
       items += note.item + (note.done ? ": done\n" : ": left out\n");
     const auto [same, is_new] = shots.emplace(items, path);
     EXPECT_TRUE(is_new) << path << " and " << same->second << " have the plan\n" << items;
@@ -59,8 +59,9 @@ TEST(DemoShots, LeaveOutNothingThatShows) {
       std::vector<FrameBuffer> pictures;
       for (const Planner* planner : {&usual, &nothing_left_out})
         for (Renderer* renderer : {reference.get(), device.get()}) {
-          const FramePlan plan = planner->plan(frame);
-          renderer->render(plan, pictures.emplace_back(plan.width, plan.height, plan.color, plan.depth));
+          const Plan plan = planner->plan(frame);
+          renderer->forget();
+          renderer->render(plan, pictures.emplace_back(plan->width, plan->height, plan->color, plan->depth));
           EXPECT_TRUE(same_pixels(pictures[0], pictures.back())) << "frame " << frame << " on " << renderer->name();
         }
     }

@@ -2,10 +2,10 @@
 // once.
 #include <gtest/gtest.h>
 
-#include "host/geometry/solids.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
@@ -34,8 +34,9 @@ const Choice choices[] = {
 };
 
 FrameBuffer draw(Renderer& renderer, const Planner& planner, std::int64_t frame) {
-  const FramePlan plan = planner.plan(frame);
-  FrameBuffer pixels(plan.width, plan.height, plan.color, plan.depth);
+  const Plan plan = planner.plan(frame);
+  FrameBuffer pixels = plan.make_frame();
+  renderer.forget();  // planners take turns here
   renderer.render(plan, pixels);
   return pixels;
 }
@@ -57,7 +58,7 @@ TEST(LeaveOut, WithoutColourNoDistanceChanges) {
   for (TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
     test.scene.image.color = false;
     const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
-    for (const Draw& one : usual.plan(0).draws) {
+    for (const Draw& one : (*usual.plan(0)).draws) {
       EXPECT_TRUE(one.shading == Shading::unlit || one.shading == Shading::wireframe) << test.name;
       EXPECT_FALSE(one.vertex_colors) << test.name;
     }
@@ -87,20 +88,20 @@ TEST(LeaveOut, OnTheDeviceNoPixelChanges) {
 TEST(LeaveOut, EveryItemIsLeftOutSomewhere) {
   bool objects = false, targets = false, normals = false, clipping = false, divide = false, depth_test = false;
   for (const TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
-    const FramePlan usual = plan_frame(test.scene, 0), whole = plan_frame(test.scene, 0, {.leave_out = false});
-    EXPECT_TRUE(whole.clips && whole.divides && whole.tests_depth) << test.name;
-    EXPECT_FALSE(whole.keeps_vertices || whole.keeps_blank_tiles) << test.name;
-    EXPECT_TRUE(usual.keeps_vertices && usual.keeps_blank_tiles) << test.name;
-    objects |= usual.draws.size() < whole.draws.size();
-    clipping |= !usual.clips;
-    divide |= !usual.divides;
-    depth_test |= !usual.tests_depth;
-    for (const Draw& draw : whole.draws) {
+    const Plan usual = plan_frame(test.scene, 0), whole = plan_frame(test.scene, 0, {.leave_out = false});
+    EXPECT_TRUE(whole->clips && whole->divides && whole->tests_depth) << test.name;
+    EXPECT_FALSE(whole->keeps_vertices || whole->keeps_blank_tiles) << test.name;
+    EXPECT_TRUE(usual->keeps_vertices && usual->keeps_blank_tiles) << test.name;
+    objects |= usual->draws.size() < whole->draws.size();
+    clipping |= !usual->clips;
+    divide |= !usual->divides;
+    depth_test |= !usual->tests_depth;
+    for (const Draw& draw : whole->draws) {
       EXPECT_EQ(draw.targets.size(), draw.mesh->targets.size()) << test.name;
       for (const ActiveTarget& target : draw.targets) targets |= target.weight == 0.0f;
     }
-    for (std::size_t i = 0; i < usual.draws.size() && usual.draws.size() == whole.draws.size(); ++i)
-      normals |= usual.draws[i].shading != whole.draws[i].shading;
+    for (std::size_t i = 0; i < usual->draws.size() && usual->draws.size() == whole->draws.size(); ++i)
+      normals |= usual->draws[i].shading != whole->draws[i].shading;
   }
   EXPECT_TRUE(objects && targets && normals && clipping && divide && depth_test)
       << objects << targets << normals << clipping << divide << depth_test;
@@ -148,7 +149,7 @@ TEST(LeaveOut, ClippingIsNotLeftOutWhereCoordinatesAreInvalid) {
   SceneBuilder b(64, 48);
   b.add(make_cube(), Shading::flat, place({0, 0, -5e34}, 1e34));
   b.look({0, 0, 5}).project(Perspective{45, 0.1, std::numeric_limits<double>::infinity()});
-  EXPECT_TRUE(plan_frame(b.scene(), 0).clips);
+  EXPECT_TRUE((*plan_frame(b.scene(), 0)).clips);
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   const Planner planner(b.scene());
   EXPECT_TRUE(same_pixels(draw(*reference, planner, 0), draw(*device, planner, 0)));

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <tuple>
 
-#include "host/geometry/solids.hpp"
 #include "host/render/explain/earlier_frames.hpp"
-#include "host/render/explain/report.hpp"
 #include "host/render/explain/screen_reach.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/explain.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
 
@@ -23,7 +24,7 @@ const PlanNote* find_note(const PlanReport& report, const std::string& item) {
 }
 
 PlanReport report_of(const Scene& scene, std::int64_t frame, const PlanOptions& options = {}) {
-  return explain(Planner(scene, options), scene, options, frame);
+  return explain(Planner(scene, options), frame);
 }
 
 // A box that morphs out in frames 0 to 10, stays until 14 and comes back until 24, beside one that never moves.
@@ -48,14 +49,14 @@ TEST(ScreenReach, HoldsEveryPixelThatIsDrawn) {
   std::size_t blank = 0;
   for (const TestScene& test : test_scenes(333, 211))
     for (const std::int64_t frame : test.frames) {
-      const FramePlan plan = plan_frame(test.scene, frame);
-      const ScreenReach reach = find_reach(plan);
+      const Plan plan = plan_frame(test.scene, frame);
+      const ScreenReach reach = find_reach(*plan);
       ASSERT_EQ(reach.tile_columns, 6);
       ASSERT_EQ(reach.tile_rows, 4);
-      FrameBuffer pixels(plan.width, plan.height, true, true);
+      FrameBuffer pixels(plan->width, plan->height, true, true);
       renderer->render(plan, pixels);
-      for (int y = 0; y < plan.height; ++y)
-        for (int x = 0; x < plan.width; ++x)
+      for (int y = 0; y < plan->height; ++y)
+        for (int x = 0; x < plan->width; ++x)
           ASSERT_TRUE(pixels.color_row(3, y)[x] == 0 || reach.reached[y / 64 * 6 + x / 64])
               << test.name << " frame " << frame << " pixel " << x << ' ' << y;
       blank += 24 - reach.reached_tiles;
@@ -67,7 +68,7 @@ TEST(ScreenReach, HoldsEveryPixelThatIsDrawn) {
 TEST(ScreenReach, CountsPixelsOfCutTilesAndBlankRows) {
   SceneBuilder b(100, 200);
   b.add(make_cube(), Shading::flat, place({0.2, 0, 0}, 0.01));
-  const ScreenReach reach = find_reach(plan_frame(b.look({0, 0, 5}).scene(), 0));
+  const ScreenReach reach = find_reach(*plan_frame(b.look({0, 0, 5}).scene(), 0));
   EXPECT_EQ(reach.reached_tiles, 1u);  // right of the middle at x = 50: the tile from 64 to 100, if it reaches so far
   EXPECT_EQ(reach.blank_rows, 200 - 64);
   EXPECT_EQ(reach.reached_pixels, 64.0 * 64.0);
@@ -97,7 +98,7 @@ TEST(PlanReport, NamesUnchangedObjects) {
 TEST(PlanReport, FindsTheLatestEarlierFrameWithTheSamePicture) {
   const Scene scene = there_and_back();
   const Planner planner(scene);
-  const auto equal = [&](std::int64_t frame) { return find_equal_frame(planner, scene, planner.plan(frame)); };
+  const auto equal = [&](std::int64_t frame) { return find_equal_frame(planner, *planner.plan(frame)); };
   EXPECT_EQ(equal(0), std::nullopt);
   EXPECT_EQ(equal(10), std::nullopt);
   EXPECT_EQ(equal(13), 12);
@@ -105,7 +106,8 @@ TEST(PlanReport, FindsTheLatestEarlierFrameWithTheSamePicture) {
   EXPECT_EQ(equal(30), 24);  // beyond the shot the last values hold
   Scene odd_frames = scene;
   odd_frames.frames = {{1, 23, 2}};
-  EXPECT_EQ(find_equal_frame(planner, odd_frames, planner.plan(13)), 11);
+  const Planner of_odd_frames(odd_frames);
+  EXPECT_EQ(find_equal_frame(of_odd_frames, *of_odd_frames.plan(13)), 11);
   EXPECT_EQ(find_note(report_of(scene, 19), "equal frame")->reason,
             "the picture of frame 5: drawn after it, it is copied");
   EXPECT_EQ(find_note(report_of(scene, 5), "equal frame"), nullptr);

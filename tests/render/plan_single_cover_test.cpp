@@ -5,12 +5,13 @@
 #include <cmath>
 #include <random>
 
-#include "host/geometry/solids.hpp"
-#include "host/math/composite_transform.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/scene_vertices.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/plan/screen_boundary.hpp"
 #include "host/render/plan/single_cover.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
 
@@ -18,10 +19,10 @@ namespace morphcl::test {
 namespace {
 
 // How many front faces cover the pixel that is covered most, counted pixel by pixel.
-int deepest_cover(const FramePlan& plan) {
-  const Draw& draw = plan.draws.at(0);
-  const auto vertices = reference::project_vertices(draw, plan, RasterGrid(plan.width, plan.height));
-  std::vector<int> count(static_cast<std::size_t>(plan.width) * plan.height, 0);
+int deepest_cover(const Plan& plan) {
+  const Draw& draw = plan->draws.at(0);
+  const auto vertices = reference::project_vertices(draw, *plan, RasterGrid(plan->width, plan->height));
+  std::vector<int> count(static_cast<std::size_t>(plan->width) * plan->height, 0);
   for (const glm::uvec3& triangle : draw.mesh->triangles) {
     const int order[3] = {0, draw.mirrored ? 1 : 2, draw.mirrored ? 2 : 1};
     GridPoint p[3];
@@ -30,8 +31,8 @@ int deepest_cover(const FramePlan& plan) {
       p[i] = {screen.x, screen.y};
     }
     if (doubled_area(p[0], p[1], p[2]) <= 0) continue;
-    for (int y = 0; y < plan.height; ++y)
-      for (int x = 0; x < plan.width; ++x) {
+    for (int y = 0; y < plan->height; ++y)
+      for (int x = 0; x < plan->width; ++x) {
         bool inside = true;
         for (int i = 0; i < 3; ++i) {
           const GridPoint &from = p[i], &to = p[(i + 1) % 3];
@@ -39,7 +40,7 @@ int deepest_cover(const FramePlan& plan) {
           const bool top_or_left = to.y < from.y || (to.y == from.y && to.x > from.x);
           inside &= side > 0 || (side == 0 && top_or_left);
         }
-        count[static_cast<std::size_t>(y) * plan.width + x] += inside;
+        count[static_cast<std::size_t>(y) * plan->width + x] += inside;
       }
   }
   return *std::max_element(count.begin(), count.end());
@@ -64,9 +65,9 @@ TEST(SingleCover, BoxesAreProvedFromEverySide) {
     b.add(make_cube(), trial % 4 < 2 ? Shading::flat : Shading::smooth, transform);
     b.look({0.2, 0.4, 5});
     if (trial % 5 == 0) b.project(Orthographic{-2, 2, -1.5, 1.5, 0, 20});
-    const FramePlan plan = plan_frame(b.scene(), 0);
-    EXPECT_FALSE(plan.tests_depth) << trial;
-    EXPECT_TRUE(has_convex_outline(plan)) << trial;
+    const Plan plan = plan_frame(b.scene(), 0);
+    EXPECT_FALSE(plan->tests_depth) << trial;
+    EXPECT_TRUE(has_convex_outline(*plan)) << trial;
     EXPECT_EQ(deepest_cover(plan), 1) << trial;
   }
 }
@@ -74,7 +75,7 @@ TEST(SingleCover, BoxesAreProvedFromEverySide) {
 TEST(SingleCover, WhatMorphsBetweenConvexSolidsIsProvedInEveryStep) {
   const Scene scene = pyramid_to_cube(160, 90);
   const Planner planner(scene);
-  for (std::int64_t frame = 0; frame <= 100; ++frame) EXPECT_FALSE(planner.plan(frame).tests_depth) << frame;
+  for (std::int64_t frame = 0; frame <= 100; ++frame) EXPECT_FALSE((*planner.plan(frame)).tests_depth) << frame;
 }
 
 // Solids, surfaces and tangles with random faults: wherever the proof is given, counting agrees.
@@ -107,12 +108,12 @@ TEST(SingleCover, IsNeverProvedWhereAPixelIsCoveredTwice) {
       mesh.triangles.erase(mesh.triangles.begin() + static_cast<int>(random() % mesh.triangles.size()));
     SceneBuilder b(40, 30);
     b.add(mesh, Shading::flat, turned(random, trial % 5 == 4 ? 0.2 : 0.8));
-    const FramePlan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
-    if (plan.clips) continue;
+    const Plan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
+    if (plan->clips) continue;
     const int deepest = deepest_cover(plan);
     overlapping += deepest > 1;
-    (plan.tests_depth ? refused : proved) += 1;
-    if (!plan.tests_depth) {
+    (plan->tests_depth ? refused : proved) += 1;
+    if (!plan->tests_depth) {
       EXPECT_LE(deepest, 1) << "trial " << trial;
     }
   }
@@ -126,7 +127,7 @@ TEST(SingleCover, IsOnlyForOneSingleSidedDrawOfWhichNothingIsClipped) {
     SceneBuilder b(64, 48);
     for (int i = 0; i < objects; ++i) b.add(make_cube(), shading, place({2.5 * i, 0, 0}), {1, 1, 1, 1}, double_sided);
     b.look({0, 0, distance}).project(Perspective{45, 0.1, far});
-    return plan_frame(b.scene(), 0).tests_depth;
+    return (*plan_frame(b.scene(), 0)).tests_depth;
   };
   EXPECT_FALSE(tests_depth(false, 1, 5, Shading::flat, 100));
   EXPECT_TRUE(tests_depth(true, 1, 5, Shading::flat, 100));

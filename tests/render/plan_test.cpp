@@ -1,9 +1,10 @@
 // What the plan leaves out, and what it says about it.
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/render/explain/report.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/explain.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {
@@ -11,7 +12,7 @@ namespace {
 
 bool is_done(const Scene& scene, const std::string& item) {
   const Planner planner(scene);
-  for (const PlanNote& note : explain(planner, scene, {}, 0).notes)
+  for (const PlanNote& note : explain(planner, 0).notes)
     if (note.item == item) return note.done;
   ADD_FAILURE() << "the plan does not speak of \"" << item << "\"";
   return false;
@@ -23,8 +24,8 @@ TEST(Plan, ObjectsOutOfViewAreLeftOut) {
   b.add(make_cube(), Shading::flat, place({0, 0, 9}));     // behind the eye
   b.add(make_cube(), Shading::flat, place({20, 0, 0}));    // to the right
   b.add(make_cube(), Shading::flat, place({0, 0, -500}));  // behind the far plane
-  const FramePlan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
-  EXPECT_EQ(plan.draws.size(), 1u);
+  const Plan plan = plan_frame(b.look({0, 0, 5}).scene(), 0);
+  EXPECT_EQ(plan->draws.size(), 1u);
   EXPECT_FALSE(is_done(b.scene(), "objects out of view"));
 }
 
@@ -34,10 +35,10 @@ TEST(Plan, TargetsOfWeightZeroAreNotActive) {
   for (int t = 0; t < 5; ++t)
     mesh.targets.push_back({"target", TargetForm::delta, std::vector<glm::vec3>(24, glm::vec3(0.1f)), {}, {}});
   b.add(mesh, Shading::flat);
-  const FramePlan plan = plan_frame(b.look({0, 0, 5}).weight(0, 0.5, 3).scene(), 0);
-  ASSERT_EQ(plan.draws.size(), 1u);
-  ASSERT_EQ(plan.draws[0].targets.size(), 1u);
-  EXPECT_EQ(plan.draws[0].targets[0].target, 3);
+  const Plan plan = plan_frame(b.look({0, 0, 5}).weight(0, 0.5, 3).scene(), 0);
+  ASSERT_EQ(plan->draws.size(), 1u);
+  ASSERT_EQ(plan->draws[0].targets.size(), 1u);
+  EXPECT_EQ(plan->draws[0].targets[0].target, 3);
   EXPECT_FALSE(is_done(b.scene(), "idle morph targets"));
 }
 
@@ -45,10 +46,10 @@ TEST(Plan, WithoutLightsNormalsAreNotMoved) {
   SceneBuilder b(64, 48);
   b.add(make_sphere({16, 8}), Shading::smooth);
   b.look({0, 0, 5}).no_lights();
-  const FramePlan plan = plan_frame(b.scene(), 0);
+  const Plan plan = plan_frame(b.scene(), 0);
   EXPECT_FALSE(is_done(b.scene(), "vertex normals"));
   EXPECT_FALSE(is_done(b.scene(), "lights"));
-  EXPECT_EQ(plan.draws.at(0).shading, Shading::unlit);
+  EXPECT_EQ(plan->draws.at(0).shading, Shading::unlit);
 }
 
 TEST(Plan, ClippingIsLeftOutAwayFromThePlanes) {
@@ -68,8 +69,8 @@ TEST(Plan, HiddenObjectsAreLeftOut) {
                                            timeline.time.ticks_per_second(),
                                            {0, timeline.time.frame_ticks(10)},
                                            {0.0, 1.0}});
-  EXPECT_EQ(plan_frame(b.scene(), 9).draws.size(), 0u);
-  EXPECT_EQ(plan_frame(b.scene(), 10).draws.size(), 1u);
+  EXPECT_EQ((*plan_frame(b.scene(), 9)).draws.size(), 0u);
+  EXPECT_EQ((*plan_frame(b.scene(), 10)).draws.size(), 1u);
 }
 
 TEST(Plan, ATransformThatLeavesSinglePrecisionIsNamed) {

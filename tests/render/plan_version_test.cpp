@@ -1,9 +1,10 @@
 // Plans that say that they have the draws of an earlier one have them.
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {
@@ -29,7 +30,7 @@ std::vector<std::uint64_t> versions(const Scene& scene, const std::vector<std::i
   const Planner planner(scene);
   std::vector<std::uint64_t> found;
   for (const std::int64_t frame : frames) {
-    found.push_back(planner.plan(frame).draws_version);
+    found.push_back((*planner.plan(frame)).draws_version);
     EXPECT_NE(found.back(), 0u);
   }
   return found;
@@ -61,12 +62,12 @@ TEST(DrawsVersion, StaysWhileAnObjectThatMayComeIntoViewIsOutOfIt) {
   for (glm::vec3& position : mesh.positions) position.x += 1e5f;
   scene.objects[aside].morph.tracks.push_back({0, keys(scene.timeline, Interpolation::linear, 1, {0, 0.25, 0.25, 1})});
   const Planner planner(scene);
-  std::vector<FramePlan> plans;
+  std::vector<Plan> plans;
   for (const std::int64_t frame : {0, 1, 2, 3}) plans.push_back(planner.plan(frame));
-  EXPECT_EQ(plans[1].draws.size() + 1, plans[3].draws.size());
-  EXPECT_EQ(plans[0].draws_version, plans[1].draws_version);
-  EXPECT_EQ(plans[1].draws_version, plans[2].draws_version);
-  EXPECT_NE(plans[2].draws_version, plans[3].draws_version);
+  EXPECT_EQ(plans[1]->draws.size() + 1, plans[3]->draws.size());
+  EXPECT_EQ(plans[0]->draws_version, plans[1]->draws_version);
+  EXPECT_EQ(plans[1]->draws_version, plans[2]->draws_version);
+  EXPECT_NE(plans[2]->draws_version, plans[3]->draws_version);
 }
 
 TEST(DrawsVersion, IsAnotherOneWhenAnObjectMovesOrHidesOrTheCameraMoves) {
@@ -93,7 +94,7 @@ TEST(SharedWeights, AreThoseOfTheObject) {
     scene.objects[i].morph.tracks.push_back({0, keys(timeline, Interpolation::linear, 1, {0.125, ends[i]})});
   const Planner planner(scene);
   for (const std::int64_t frame : {1, 0, 1})
-    for (const Draw& draw : planner.plan(frame).draws)
+    for (const Draw& draw : (*planner.plan(frame)).draws)
       EXPECT_EQ(draw.targets[0].weight, frame == 0 ? 0.125f : static_cast<float>(ends[draw.object])) << draw.object;
 }
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "host/math/viewport.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/view_volume.hpp"
-#include "host/render/reference/reference_renderer.hpp"
-#include "host/scene/load_scene.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
 #include "tests/math/picture_reference.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
@@ -108,7 +108,7 @@ TEST_P(ProjectionPicture, CornersAreWhereGeometryPutsThem) {
 // distance is one of those there. Between the nine samples an edge of the solid may stand out by as much as they
 // differ.
 TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
-  const FramePlan plan = plan_frame(scene_, 0);
+  const Plan plan = plan_frame(scene_, 0);
   FrameBuffer picture(width_, height_, true, true);
   make_reference_renderer()->render(plan, picture);
   int solid = 0, background = 0;
@@ -139,7 +139,7 @@ TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
 }
 
 TEST_P(ProjectionPicture, TheDeviceDrawsTheSameBits) {
-  const FramePlan plan = plan_frame(scene_, 0), complete = plan_frame(scene_, 0, {.leave_out = false});
+  const Plan plan = plan_frame(scene_, 0), complete = plan_frame(scene_, 0, {.leave_out = false});
   FrameBuffer expected(width_, height_, true, true), device(width_, height_, true, true),
       nothing_left_out(width_, height_, true, true);
   make_reference_renderer()->render(plan, expected);

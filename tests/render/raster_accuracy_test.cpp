@@ -7,11 +7,12 @@
 #include <cstring>
 #include <random>
 
-#include "host/geometry/solids.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/clip_polygon.hpp"
-#include "host/render/reference/reference_renderer.hpp"
 #include "host/render/reference/visibility.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {
@@ -83,7 +84,7 @@ TEST(RasterAccuracy, EveryPixelBelongsToExactlyOneTriangleOfAClosedSheet) {
     SceneBuilder builder(97, 61);
     builder.add(sheet, Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
     const Scene& scene = builder.look({0, 0, 0}, {0, 0, -1}).project(Perspective{90, 0.1, 100}).scene();
-    FramePlan plan = plan_frame(scene, 0);
+    FramePlan plan = *plan_frame(scene, 0);
     const RasterGrid grid(plan.width, plan.height);
     const auto vertices = reference::project_vertices(plan.draws.at(0), plan, grid);
     std::vector<int> hits(static_cast<std::size_t>(plan.width) * plan.height, 0);
@@ -102,30 +103,30 @@ TEST(RasterAccuracy, EveryPixelBelongsToExactlyOneTriangleOfAClosedSheet) {
 TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
   SceneBuilder builder(1920, 1080);
   builder.add(make_cube(), Shading::unlit);
-  const FramePlan plan = plan_frame(builder.look({0, 0, 5}).scene(), 0);
+  const Plan plan = plan_frame(builder.look({0, 0, 5}).scene(), 0);
   const RasterGrid grid(1920, 1080);
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1, 1);
   const auto point = [&](float sign) {
     reference::Corner corner{
-        {30 * unit(random), 30 * unit(random), plan.camera.near, sign * std::abs(unit(random)) + 0.1f}, {0, 0, 0}};
+        {30 * unit(random), 30 * unit(random), plan->camera.near, sign * std::abs(unit(random)) + 0.1f}, {0, 0, 0}};
     return corner;
   };
   int cut = 0;
   for (int i = 0; i < 20000; ++i) {
     const reference::Corner a = point(1), b = point(-1), c = point(1), d = point(i % 2 ? 1.0f : -1.0f);
-    const auto left = reference::clip_polygon({a, b, c}, plan, grid),
-               right = reference::clip_polygon({b, a, d}, plan, grid);
+    const auto left = reference::clip_polygon({a, b, c}, *plan, grid),
+               right = reference::clip_polygon({b, a, d}, *plan, grid);
     // The near plane's cut of edge ab is in both polygons, unless the guard band took it away.
-    const auto on_edge = [&](const reference::Corner& corner) { return corner.clip.w == plan.camera.near_w; };
+    const auto on_edge = [&](const reference::Corner& corner) { return corner.clip.w == plan->camera.near_w; };
     for (const reference::Corner& corner : left) {
-      if (!(corner.clip.w >= plan.camera.near_w)) ADD_FAILURE() << "w = " << corner.clip.w << " is in front of near";
+      if (!(corner.clip.w >= plan->camera.near_w)) ADD_FAILURE() << "w = " << corner.clip.w << " is in front of near";
       if (on_edge(corner)) {
-        EXPECT_EQ(corner.clip.z, plan.camera.near_depth * plan.camera.near_w);
+        EXPECT_EQ(corner.clip.z, plan->camera.near_depth * plan->camera.near_w);
       }
     }
-    const auto forward = reference::clip_polygon({a, b}, plan, grid),
-               backward = reference::clip_polygon({b, a}, plan, grid);
+    const auto forward = reference::clip_polygon({a, b}, *plan, grid),
+               backward = reference::clip_polygon({b, a}, *plan, grid);
     ASSERT_EQ(forward.size(), backward.size());
     if (forward.size() != 2) continue;
     ++cut;
@@ -154,9 +155,9 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   SceneBuilder builder(width, height);
   builder.add(plane, Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
   const Scene& scene = builder.look({0, 1, 5}, {0, 0.8, 0}).project(Perspective{40, 0.1, 5000}).scene();
-  const FramePlan plan = plan_frame(scene, 0);
+  const Plan plan = plan_frame(scene, 0);
   const RasterGrid grid(width, height);
-  const auto vertices = reference::project_vertices(plan.draws.at(0), plan, grid);
+  const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
   FrameBuffer frame(width, height, true, true);
   make_reference_renderer()->render(plan, frame);
   // Depth is affine on the screen: solve it exactly through the three snapped vertices.
@@ -165,7 +166,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
     ASSERT_EQ(vertices[i].outcode, 0);
     x[i] = vertices[i].screen.x;
     y[i] = vertices[i].screen.y;
-    depth[i] = Exact(plan.camera.near) / Exact(vertices[i].clip.w);
+    depth[i] = Exact(plan->camera.near) / Exact(vertices[i].clip.w);
   }
   const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
   const double bound = 24 * std::ldexp(1.0, -24);
@@ -180,7 +181,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((py - y[0]) * (x[1] - x[0]) - (px - x[0]) * (y[1] - y[0])) / area;
       const Exact exact =
-          Exact(plan.camera.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
+          Exact(plan->camera.near) / (depth[0] + w1 * (depth[1] - depth[0]) + w2 * (depth[2] - depth[0]));
       const double error = std::abs(static_cast<double>((Exact(actual) - exact) / exact));
       worst = std::max(worst, error);
       ASSERT_LE(error, bound) << "pixel (" << column << ", " << row << "): expected " << static_cast<double>(exact)

@@ -1,7 +1,7 @@
 // Small steps for building test scenes.
 #pragma once
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl::test {
 

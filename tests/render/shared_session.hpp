@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/device/session.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::test {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <random>
 
-#include "host/geometry/solids.hpp"
-#include "host/math/composite_transform.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/render/scene_builder.hpp"
 
 namespace morphcl::test {

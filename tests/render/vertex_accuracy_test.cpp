@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
-#include "host/geometry/solids.hpp"
-#include "host/render/device/device_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/scene_vertices.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/plan/view_volume.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
@@ -33,10 +33,10 @@ VertexForm form_of(const Draw& draw) { return draw.accuracy->form; }
 struct ExactVertex {
   Exact x, y, w;
 };
-ExactVertex exact_vertex(const Scene& scene, const FramePlan& plan, const Draw& draw, std::size_t vertex) {
+ExactVertex exact_vertex(const Scene& scene, const Plan& plan, const Draw& draw, std::size_t vertex) {
   const Object& object = scene.objects[draw.object];
   const std::vector<double>& weights = scene.objects[draw.object].morph.weights;
-  const ViewVolume volume = make_view_volume(scene.timeline.camera.projection, plan.width, plan.height);
+  const ViewVolume volume = make_view_volume(scene.timeline.camera.projection, plan->width, plan->height);
   Exact p[4] = {0, 0, 0, 1};
   for (int c = 0; c < 3; ++c) {
     const Exact base = draw.mesh->positions[vertex][c];
@@ -47,7 +47,7 @@ ExactVertex exact_vertex(const Scene& scene, const FramePlan& plan, const Draw& 
       p[c] += weight * (target.form == TargetForm::absolute ? Exact(end - base) : end);
     }
   }
-  const glm::dmat4* const matrices[] = {&scene.timeline.nodes[object.node].static_transform, &plan.world_to_eye,
+  const glm::dmat4* const matrices[] = {&scene.timeline.nodes[object.node].static_transform, &plan->world_to_eye,
                                         &volume.eye_to_clip};
   for (const glm::dmat4* m : matrices) {
     Exact q[4] = {0, 0, 0, 0};
@@ -55,13 +55,13 @@ ExactVertex exact_vertex(const Scene& scene, const FramePlan& plan, const Draw& 
       for (int column = 0; column < 4; ++column) q[row] += Exact((*m)[column][row]) * p[column];
     for (int row = 0; row < 4; ++row) p[row] = q[row];
   }
-  return {(p[0] / p[3] + 1) / 2 * plan.width, (1 - p[1] / p[3]) / 2 * plan.height, p[3]};
+  return {(p[0] / p[3] + 1) / 2 * plan->width, (1 - p[1] / p[3]) / 2 * plan->height, p[3]};
 }
 
 // The largest distance, in x or y, of the first draw's unclipped vertices from their exact places.
-double largest_error(const Scene& scene, const FramePlan& plan) {
-  const Draw& draw = plan.draws.at(0);
-  const auto vertices = reference::project_vertices(draw, plan, RasterGrid(plan.width, plan.height));
+double largest_error(const Scene& scene, const Plan& plan) {
+  const Draw& draw = plan->draws.at(0);
+  const auto vertices = reference::project_vertices(draw, *plan, RasterGrid(plan->width, plan->height));
   Exact largest = 0;
   int seen = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -133,12 +133,12 @@ TEST(VertexAccuracy, EveryFormStaysWithinItsBound) {
   for (std::size_t s = 0; s < hard_scenes().size(); ++s) {
     SCOPED_TRACE(s);
     Scene scene = with_accuracy(hard_scenes()[s], 1e9);
-    const std::array<double, 3> bounds = plan_frame(scene, 0).draws.at(0).accuracy->bounds;
+    const std::array<double, 3> bounds = (*plan_frame(scene, 0)).draws.at(0).accuracy->bounds;
     for (const VertexForm form : vertex_forms) {
       const double bound = bounds[static_cast<std::size_t>(form)];
       scene.accuracy_pixels = bound;
-      const FramePlan plan = plan_frame(scene, 0);
-      if (form_of(plan.draws[0]) != form) continue;  // a cheaper one has no larger bound
+      const Plan plan = plan_frame(scene, 0);
+      if (form_of(plan->draws[0]) != form) continue;  // a cheaper one has no larger bound
       EXPECT_LE(largest_error(scene, plan), bound) << static_cast<int>(form);
       EXPECT_GE(bound, 1.0 / 512);
     }
@@ -157,27 +157,29 @@ TEST(VertexAccuracy, TheCheapestFormThatSufficesIsChosen) {
                {near_in_a_landscape(), VertexForm::two_float}};
   for (const auto& [original, form] : cases) {
     Scene scene = with_accuracy(original, target);
-    const FramePlan plan = plan_frame(scene, 0);
-    const VertexAccuracy& accuracy = *plan.draws.at(0).accuracy;
+    const Plan plan = plan_frame(scene, 0);
+    const VertexAccuracy& accuracy = *plan->draws.at(0).accuracy;
     EXPECT_EQ(accuracy.form, form) << accuracy.bounds[0] << ' ' << accuracy.bounds[1] << ' ' << accuracy.bounds[2];
     EXPECT_TRUE(accuracy.suffices);
     EXPECT_LE(largest_error(scene, plan), target);
     if (form == VertexForm::plain) continue;
     scene.accuracy_pixels = accuracy.bounds[static_cast<std::size_t>(form) - 1];
-    const FramePlan cheaper = plan_frame(scene, 0);
-    ASSERT_LT(form_of(cheaper.draws.at(0)), form);
+    const Plan cheaper = plan_frame(scene, 0);
+    ASSERT_LT(form_of(cheaper->draws.at(0)), form);
     EXPECT_GT(largest_error(scene, cheaper), target);
   }
 }
 
 TEST(VertexAccuracy, WithoutAStatedErrorVerticesArePlain) {
-  for (const Draw& draw : plan_frame(far_morph({3e4, 2e3, -5e4}), 0).draws) EXPECT_EQ(draw.accuracy, nullptr);
+  const Scene scene = far_morph({3e4, 2e3, -5e4});
+  for (const Draw& draw : (*plan_frame(scene, 0)).draws) EXPECT_EQ(draw.accuracy, nullptr);
 }
 
 TEST(VertexAccuracy, WhatNoFormKeepsGetsTheBestAndSaysSo) {
-  const FramePlan plan = plan_frame(with_accuracy(near_in_a_landscape(), 1e-6), 0);
-  EXPECT_EQ(form_of(plan.draws.at(0)), VertexForm::two_float);
-  EXPECT_FALSE(plan.draws[0].accuracy->suffices);
+  const Scene scene = with_accuracy(near_in_a_landscape(), 1e-6);
+  const Plan plan = plan_frame(scene, 0);
+  EXPECT_EQ(form_of(plan->draws.at(0)), VertexForm::two_float);
+  EXPECT_FALSE(plan->draws[0].accuracy->suffices);
 }
 
 // Among the test scenes and the hard ones, with errors that ask for each form.
@@ -186,9 +188,9 @@ TEST(VertexAccuracy, TheDeviceDrawsTheReferencesBits) {
   int drawn[3] = {0, 0, 0};
   const auto expect_parity = [&](Scene scene, double pixels) {
     scene.accuracy_pixels = pixels;
-    const FramePlan plan = plan_frame(scene, 0), whole = plan_frame(scene, 0, {.leave_out = false});
-    for (const Draw& draw : plan.draws) ++drawn[static_cast<std::size_t>(form_of(draw))];
-    FrameBuffer expected(plan.width, plan.height, true, true), actual(plan.width, plan.height, true, true);
+    const Plan plan = plan_frame(scene, 0), whole = plan_frame(scene, 0, {.leave_out = false});
+    for (const Draw& draw : plan->draws) ++drawn[static_cast<std::size_t>(form_of(draw))];
+    FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
     reference->render(plan, expected);
     device->render(plan, actual);
     EXPECT_TRUE(same_pixels(expected, actual)) << pixels;
@@ -204,7 +206,7 @@ TEST(VertexAccuracy, TheDeviceDrawsTheReferencesBits) {
     scene.image.width = 240;
     scene.image.height = 135;
     scene.accuracy_pixels = 1e9;
-    const std::array<double, 3> bounds = plan_frame(scene, 0).draws.at(0).accuracy->bounds;
+    const std::array<double, 3> bounds = (*plan_frame(scene, 0)).draws.at(0).accuracy->bounds;
     for (const double pixels : {bounds[0], bounds[1], bounds[2], 1e-9}) expect_parity(scene, pixels);
   }
   for (const int count : drawn) EXPECT_GE(count, 4);
@@ -217,10 +219,10 @@ TEST(VertexAccuracy, KeptVerticesAreThoseOfTheSameForm) {
   scene.image.width = 240;
   scene.image.height = 135;
   scene.accuracy_pixels = 1e9;
-  const std::array<double, 3> bounds = plan_frame(scene, 0).draws.at(0).accuracy->bounds;
+  const std::array<double, 3> bounds = (*plan_frame(scene, 0)).draws.at(0).accuracy->bounds;
   const Planner planner(scene);
-  FramePlan plan = planner.plan(0);
-  FrameBuffer expected(plan.width, plan.height, true, true), actual(plan.width, plan.height, true, true);
+  Plan plan = planner.plan(0);
+  FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
   for (const double pixels : {bounds[0], bounds[1], bounds[2], bounds[1], bounds[0]}) {
     scene.accuracy_pixels = pixels;
     plan = planner.plan(0);

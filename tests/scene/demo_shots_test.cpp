@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "host/scene/load_scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 namespace {

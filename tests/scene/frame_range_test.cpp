@@ -1,8 +1,8 @@
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/scene.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

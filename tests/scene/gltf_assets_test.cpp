@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "host/error.hpp"
-#include "host/geometry/mesh.hpp"
 #include "host/scene/gltf/gltf_import.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/mesh.hpp"
 #include "tests/scene/gltf_comparison.hpp"
 
 namespace morphcl::test {

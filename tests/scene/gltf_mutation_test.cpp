@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "host/error.hpp"
-#include "host/geometry/mesh.hpp"
 #include "host/scene/gltf/gltf_import.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/mesh.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 namespace morphcl::test {

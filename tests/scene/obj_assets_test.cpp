@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "host/geometry/mesh.hpp"
 #include "host/scene/obj/obj_import.hpp"
+#include "morphcl/mesh.hpp"
 
 namespace morphcl::test {
 namespace {

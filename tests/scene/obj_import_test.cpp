@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <random>
 
-#include "host/geometry/mesh.hpp"
 #include "host/scene/obj/obj_import.hpp"
+#include "morphcl/mesh.hpp"
 #include "tests/scene/import_error.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

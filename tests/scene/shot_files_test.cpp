@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {

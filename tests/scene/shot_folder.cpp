@@ -1,6 +1,6 @@
 #include "tests/scene/shot_folder.hpp"
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/scene/load_scene.hpp"
+#include "morphcl/scene.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace morphcl::test {

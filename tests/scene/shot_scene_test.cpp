@@ -4,8 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/math/composite_transform.hpp"
-#include "host/math/seven_step_rotation.hpp"
+#include "morphcl/transform.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "host/error.hpp"
 #include "host/scene/shot/shot_file.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

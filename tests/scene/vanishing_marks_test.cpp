@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "host/math/vanishing_point.hpp"
+#include "morphcl/projection.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {

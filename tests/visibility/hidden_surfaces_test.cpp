@@ -1,6 +1,6 @@
 // Catalogue of extreme cases: hidden surfaces. The oracle is a z-buffer in rational numbers that shares no code with
 // what it judges: coverage by counting crossings, depth by the plane through three corners.
-#include "host/visibility/hidden_surfaces.hpp"
+#include "morphcl/hidden_surfaces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <random>
 #include <set>
 
-#include "host/error.hpp"
 #include "host/visibility/bsp_tree.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 namespace {

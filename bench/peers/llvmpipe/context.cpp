@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "bench/peers/llvmpipe/gl.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

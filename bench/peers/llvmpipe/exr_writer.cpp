@@ -6,7 +6,7 @@
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

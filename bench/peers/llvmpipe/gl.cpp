@@ -2,7 +2,7 @@
 
 #include <EGL/egl.h>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench::gl {
 

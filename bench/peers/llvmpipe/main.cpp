@@ -16,7 +16,7 @@
 #include "bench/peers/llvmpipe/target.hpp"
 #include "bench/report.hpp"
 #include "bench/scenes.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

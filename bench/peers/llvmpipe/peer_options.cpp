@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

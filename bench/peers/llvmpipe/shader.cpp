@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

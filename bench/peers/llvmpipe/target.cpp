@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/peers/llvmpipe/gl.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::bench {
 

@@ -16,8 +16,8 @@ DevicePictures::DevicePictures(cl::Context context, std::size_t max_band)
 DevicePicture DevicePictures::picture(FrameBuffer& frame) {
   // Forgotten between frames only: one picture's bands are kept together, however many they are.
   if (buffers_.size() > max_buffers) buffers_.clear();
-  DevicePicture picture{{}, frame.memory()};
-  const FrameBuffer::Memory& memory = picture.memory;
+  DevicePicture picture{{}, RawFrame(frame)};
+  const RawFrame& memory = picture.memory;
   const std::size_t tile_row_bytes = memory.row_bytes * FrameBuffer::tile_side;
   const auto tile_rows = static_cast<std::size_t>(frame.tiles_y()), columns = static_cast<std::size_t>(frame.tiles_x());
   const std::size_t rows_a_band = std::clamp<std::size_t>(max_band_ / tile_row_bytes, 1, tile_rows);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/device/cl_error.hpp"
-#include "host/image/frame_buffer.hpp"
+#include "host/image/raw_frame.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
@@ -17,7 +17,7 @@ struct DevicePicture {
     layout::uint first_tile, tiles;
   };
   std::vector<Band> bands;
-  FrameBuffer::Memory memory;
+  RawFrame memory;
 };
 
 class DevicePictures {

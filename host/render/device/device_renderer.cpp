@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "host/device/launch.hpp"
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
 #include "host/render/device/buffers.hpp"
 #include "host/render/device/device_picture.hpp"
 #include "host/render/device/frame_memory.hpp"
 #include "host/render/device/table_buffer.hpp"
 #include "host/render/frame/bin_pools.hpp"
-#include "host/render/frame/require_fit.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -32,10 +34,12 @@ class DeviceRenderer : public Renderer {
   DeviceRenderer(std::shared_ptr<Session> session, std::size_t max_band)
       : session_(std::move(session)),
         memory_(session_),
-        pictures_(session_->context(), std::min(max_band, session_->info().max_allocation)) {}
+        pictures_(context_of(*session_), std::min(max_band, session_->info().max_allocation)) {}
 
-  void render(const FramePlan& plan, FrameBuffer& frame) override {
-    require_fit(plan, frame);
+  std::string name() const override { return session_->info().name; }
+
+ private:
+  void draw(const FramePlan& plan, FrameBuffer& frame) override {
     depth_format_ = plan.depth_format;
     const DevicePicture picture = pictures_.picture(frame);
     FinishAtExit finish_before_tables_go(queue());
@@ -56,14 +60,11 @@ class DeviceRenderer : public Renderer {
     memory_.drawn();
   }
 
-  std::string name() const override { return session_->info().name; }
-
- private:
-  const cl::CommandQueue& queue() const { return session_->queue(); }
+  const cl::CommandQueue& queue() const { return queue_of(*session_); }
 
   const Kernel& kernel(const char* stage, const char* name) {
     Kernel& found = kernels_[{depth_format_, name}];
-    if (!found) found = session_->kernel(kernel_source(stage), name, depth_options(depth_format_));
+    if (!found) found = kernel_of(*session_, kernel_source(stage), name, depth_options(depth_format_));
     return found;
   }
 
@@ -196,15 +197,15 @@ class DeviceRenderer : public Renderer {
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   std::map<std::pair<DepthFormat, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
-  TableBuffer<buffers::Frame, 4> frame_{session_->context()};
-  DeviceBuffer<buffers::Vertices> vertices_{session_->context()};
-  DeviceBuffer<buffers::Attributes> attributes_{session_->context()};
-  DeviceBuffer<buffers::Colors> colors_{session_->context()};
-  DeviceBuffer<buffers::FaceColors> face_colors_{session_->context()};
-  DeviceBuffer<buffers::Clipped> clipped_{session_->context()};
-  DeviceBuffer<buffers::FragmentKeys> fragment_keys_{session_->context()};
-  DeviceBuffer<buffers::Large> large_{session_->context()};
-  DeviceBuffer<buffers::Bins> bins_{session_->context()};
+  TableBuffer<buffers::Frame, 4> frame_{context_of(*session_)};
+  DeviceBuffer<buffers::Vertices> vertices_{context_of(*session_)};
+  DeviceBuffer<buffers::Attributes> attributes_{context_of(*session_)};
+  DeviceBuffer<buffers::Colors> colors_{context_of(*session_)};
+  DeviceBuffer<buffers::FaceColors> face_colors_{context_of(*session_)};
+  DeviceBuffer<buffers::Clipped> clipped_{context_of(*session_)};
+  DeviceBuffer<buffers::FragmentKeys> fragment_keys_{context_of(*session_)};
+  DeviceBuffer<buffers::Large> large_{context_of(*session_)};
+  DeviceBuffer<buffers::Bins> bins_{context_of(*session_)};
   bool bins_are_clear_ = false;    // their overflow flag is 0
   layout::BinsHeader overflow_{};  // read by the queue, which may finish after an error
   std::vector<layout::ChunkStatus> statuses_;
@@ -213,7 +214,12 @@ class DeviceRenderer : public Renderer {
 }  // namespace
 
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t max_band) {
+  if (!session) throw Error(ErrorKind::usage, "", "a device renderer needs a session; Session::open() gives one");
   return std::make_unique<DeviceRenderer>(std::move(session), max_band);
+}
+
+std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session) {
+  return make_device_renderer(std::move(session), std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace morphcl

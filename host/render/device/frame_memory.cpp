@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/device/session_access.hpp"
 #include "host/render/device/kept_vertices.hpp"
 
 namespace morphcl {
@@ -24,7 +25,7 @@ std::vector<std::array<uint, 3>> places_of(const std::vector<layout::DrawConstan
 }  // namespace
 
 FrameMemory::FrameMemory(std::shared_ptr<Session> session)
-    : session_(std::move(session)), meshes_(session_), draws_(session_->context()), targets_(session_->context()) {}
+    : session_(std::move(session)), meshes_(session_), draws_(context_of(*session_)), targets_(context_of(*session_)) {}
 
 void FrameMemory::forget(Lost what) {
   before_is_known_ = false;
@@ -39,7 +40,7 @@ void FrameMemory::start(const FramePlan& plan, const DevicePicture& picture) {
   if (!plan.keeps_vertices) forget(Lost::vertices);
   make_frame_tables(plan, meshes_, picture, now_);
   targets_.make_room({now_.targets.size() * sizeof(layout::TargetConstants)});
-  targets_.update(session_->queue(), 0, now_.targets);
+  targets_.update(queue_of(*session_), 0, now_.targets);
   if (now_.origin.version != 0 && now_.origin == uploaded_origin_) return;
   uploaded_origin_ = {};
   upload_draws();
@@ -47,7 +48,7 @@ void FrameMemory::start(const FramePlan& plan, const DevicePicture& picture) {
 }
 
 void FrameMemory::upload_draws() {
-  const cl::CommandQueue& queue = session_->queue();
+  const cl::CommandQueue& queue = queue_of(*session_);
   const layout::FrameConstants& frame = now_.frame;
   const std::size_t primitive_table = frame.primitive_group_count * sizeof(uint);
   const bool moved = draws_.make_room({now_.draws.size() * sizeof(layout::DrawConstants),

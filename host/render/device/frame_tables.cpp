@@ -5,8 +5,8 @@
 #include <cstring>
 #include <numeric>
 
-#include "host/error.hpp"
 #include "host/render/frame/raster_grid.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

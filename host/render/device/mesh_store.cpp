@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
+#include "host/device/session_access.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -113,7 +114,7 @@ void write(const Mesh& mesh, const StoredMesh& placed, float* data) {
 }  // namespace
 
 MeshStore::MeshStore(std::shared_ptr<Session> session)
-    : session_(std::move(session)), data_(session_->context()), indices_(session_->context()) {}
+    : session_(std::move(session)), data_(context_of(*session_)), indices_(context_of(*session_)) {}
 
 bool MeshStore::require(const FramePlan& plan) {
   if (plan.planner != planner_) {
@@ -155,8 +156,8 @@ void MeshStore::upload_displaced(const Draw& draw) {
   write_planes(draw.displaced->positions, pitch, planes_.data());
   there.uploaded = false;
   checked("uploading displaced positions", [&] {
-    session_->queue().enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
-                                         planes_.size() * sizeof(float), planes_.data());
+    queue_of(*session_).enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
+                                           planes_.size() * sizeof(float), planes_.data());
   });
   there.uploaded = true;
   there.hash = draw.displaced->hash;
@@ -183,8 +184,8 @@ void MeshStore::upload() {
   indices.check("triangles", limit);
   data_.ensure(data.size());
   indices_.ensure(indices.size());
-  const auto mapped_data = data_.map(session_->queue(), std::max<std::size_t>(data.size(), 1));
-  const auto mapped_indices = indices_.map(session_->queue(), std::max<std::size_t>(indices.size(), 1));
+  const auto mapped_data = data_.map(queue_of(*session_), std::max<std::size_t>(data.size(), 1));
+  const auto mapped_indices = indices_.map(queue_of(*session_), std::max<std::size_t>(indices.size(), 1));
   for (const Mesh* mesh : order_) {
     const StoredMesh& placed = stored_.at(mesh);
     write(*mesh, placed, mapped_data.data());

@@ -6,10 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "host/device/session.hpp"
 #include "host/render/device/buffers.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/kernel_layout.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl {
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "host/render/explain/cost_model.hpp"
-#include "host/render/explain/report.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/explain.hpp"
 
 namespace morphcl {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
 #include "host/render/frame/plan_digest.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -34,7 +34,7 @@ std::vector<std::int64_t> frames_before(const Scene& scene, std::int64_t frame) 
 }
 
 // A frame in which the motion goes wrong has nothing in common with this one.
-std::optional<FramePlan> try_plan(const Planner& planner, std::int64_t frame) try {
+std::optional<Plan> try_plan(const Planner& planner, std::int64_t frame) try {
   return planner.plan(frame);
 } catch (const Error&) {
   return std::nullopt;
@@ -42,28 +42,28 @@ std::optional<FramePlan> try_plan(const Planner& planner, std::int64_t frame) tr
 
 }  // namespace
 
-std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, const Scene& scene, const FramePlan& plan) {
-  const std::vector<std::int64_t> frames = frames_before(scene, plan.frame);
+std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, const FramePlan& plan) {
+  const std::vector<std::int64_t> frames = frames_before(planner.scene(), plan.frame);
   if (frames.empty()) return std::nullopt;
-  const std::optional<FramePlan> before = try_plan(planner, frames.back());
+  const std::optional<Plan> before = try_plan(planner, frames.back());
   if (!before) return std::nullopt;
   UnchangedDraws unchanged{frames.back(), 0};
   std::size_t at = 0;
   for (const Draw& draw : plan.draws) {
-    while (at < before->draws.size() && before->draws[at].object < draw.object) ++at;
-    if (at < before->draws.size()) unchanged.count += same_vertices(draw, before->draws[at]);
+    while (at < (*before)->draws.size() && (*before)->draws[at].object < draw.object) ++at;
+    if (at < (*before)->draws.size()) unchanged.count += same_vertices(draw, (*before)->draws[at]);
   }
   return unchanged;
 }
 
-std::optional<std::int64_t> find_equal_frame(const Planner& planner, const Scene& scene, const FramePlan& plan) {
-  const std::vector<std::int64_t> frames = frames_before(scene, plan.frame);
+std::optional<std::int64_t> find_equal_frame(const Planner& planner, const FramePlan& plan) {
+  const std::vector<std::int64_t> frames = frames_before(planner.scene(), plan.frame);
   const PlanDigest digest = pixel_digest(plan);
   const std::size_t looked_at = std::min(frames.size(), max_frames);
   for (std::size_t i = 0; i < looked_at; ++i) {
     const std::int64_t earlier = frames[frames.size() - 1 - i];
-    const std::optional<FramePlan> other = try_plan(planner, earlier);
-    if (other && pixel_digest(*other) == digest) return earlier;
+    const std::optional<Plan> other = try_plan(planner, earlier);
+    if (other && pixel_digest(**other) == digest) return earlier;
   }
   return std::nullopt;
 }

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/planner.hpp"
 
 namespace morphcl {
 
@@ -13,9 +14,9 @@ struct UnchangedDraws {
   std::size_t count;   // draws that are, bit for bit, draws of that frame
 };
 // Nothing where the shot has no frame before this one.
-std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, const Scene& scene, const FramePlan& plan);
+std::optional<UnchangedDraws> count_unchanged_draws(const Planner& planner, const FramePlan& plan);
 
 // The latest of the shot's frames before this one that has the same picture, among the nearest 1,000.
-std::optional<std::int64_t> find_equal_frame(const Planner& planner, const Scene& scene, const FramePlan& plan);
+std::optional<std::int64_t> find_equal_frame(const Planner& planner, const FramePlan& plan);
 
 }  // namespace morphcl

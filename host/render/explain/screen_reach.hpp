@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/math/rounding.hpp"
 #include "host/render/frame/kernel_layout.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

@@ -1,8 +1,8 @@
 // The depth buffer of a frame as renderers get it.
 #pragma once
 
-#include "host/math/depth_format.hpp"
 #include "host/render/frame/camera_constants.hpp"
+#include "morphcl/depth_format.hpp"
 
 namespace morphcl {
 

@@ -10,13 +10,13 @@
 #include <memory>
 #include <vector>
 
-#include "anim/timeline.hpp"
 #include "host/render/frame/active_targets.hpp"
 #include "host/render/frame/camera_constants.hpp"
 #include "host/render/frame/depth_buffer.hpp"
 #include "host/render/frame/displaced_positions.hpp"
 #include "host/render/frame/vertex_accuracy.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 
@@ -45,9 +45,10 @@ struct EyeLight {
 };
 
 struct FramePlan {
-  std::uint64_t planner =
-      0;  // which planner made it: plans of one planner share their meshes, which then do not change
-  std::int64_t frame = 0;
+  // Which planner made it: plans of one planner share their meshes, which then do not change.
+  std::uint64_t planner = 0;
+  bool alone = false;  // its planner makes no other
+  std::int64_t frame = 0, fps_numerator = 0, fps_denominator = 1;
   int width = 0, height = 0;
   bool color = true, depth = true;
   std::vector<Draw> draws;

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "host/math/depth_format.hpp"
 #include "host/render/frame/camera_constants.hpp"
+#include "morphcl/depth_format.hpp"
 
 namespace morphcl::layout {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "host/math/rounding.hpp"
 #include "host/render/frame/raster_grid.hpp"
 #include "host/render/plan/vertex_bounds.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/geometry/bounds.hpp"
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl {
 

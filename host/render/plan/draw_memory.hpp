@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl {
 

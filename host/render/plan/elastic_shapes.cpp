@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/geometry/welded_mesh.hpp"
-#include "host/math/rounding.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/render/frame/displaced_positions.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 

@@ -1,7 +1,6 @@
 #include "host/render/plan/make_draw.hpp"
 
-#include "host/math/inverse.hpp"
-#include "host/math/rounding.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

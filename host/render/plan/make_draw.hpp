@@ -1,7 +1,7 @@
 // One object of a frame as the renderers get it.
 #pragma once
 
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl {
 

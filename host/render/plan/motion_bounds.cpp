@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/math/finite.hpp"
-#include "host/math/quaternion.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl {
 

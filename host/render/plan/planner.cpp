@@ -1,3 +1,6 @@
+#include "morphcl/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,19 +9,19 @@
 
 #include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
-#include "host/error.hpp"
 #include "host/geometry/bounds.hpp"
-#include "host/math/rounding.hpp"
 #include "host/render/plan/choose_vertex_form.hpp"
 #include "host/render/plan/draw_memory.hpp"
 #include "host/render/plan/elastic_shapes.hpp"
+#include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
 #include "host/render/plan/object_tree.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/plan/shared_weights.hpp"
 #include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/view_volume.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 
@@ -103,6 +106,15 @@ void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FrameP
   plan.world_to_ndc = ndc * world_to_eye;
 }
 
+const Scene& valid(const Scene& scene) {
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::usage, error.place(), error.message());
+  }
+  return scene;
+}
+
 }  // namespace
 
 struct Planner::Impl {
@@ -118,6 +130,9 @@ struct Planner::Impl {
 
   FramePlan plan(std::int64_t frame);
 
+  const Scene& scene;
+  const PlanOptions options;
+
  private:
   ViewVolume start(std::int64_t frame, FramePlan& plan);
   void add_light(const LightState& light, FramePlan& plan) const;
@@ -130,8 +145,6 @@ struct Planner::Impl {
     return ++last;
   }
 
-  const Scene& scene;
-  const PlanOptions options;
   const std::vector<MorphBounds> meshes;
   const std::uint64_t number = next_number();
 
@@ -159,6 +172,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   nodes.go_to(tick);
   plan.planner = number;
   plan.frame = frame;
+  plan.fps_numerator = timeline.time.fps_numerator;
+  plan.fps_denominator = timeline.time.fps_denominator;
   plan.width = scene.image.width;
   plan.height = scene.image.height;
   plan.color = scene.image.color;
@@ -252,16 +267,17 @@ FramePlan Planner::Impl::plan(std::int64_t frame) {
   return plan;
 }
 
-bool has_primitives(const Object& object, const Mesh& mesh) {
-  return !mesh.triangles.empty() || (object.material.shading == Shading::wireframe && !mesh.edges.empty());
-}
-
-Planner::Planner(const Scene& scene, const PlanOptions& options) : impl_(std::make_unique<Impl>(scene, options)) {}
+Planner::Planner(const Scene& scene, const PlanOptions& options)
+    : impl_(std::make_unique<Impl>(valid(scene), options)) {}
 Planner::~Planner() = default;
-FramePlan Planner::plan(std::int64_t frame) const { return impl_->plan(frame); }
+Plan Planner::plan(std::int64_t frame) const { return Plan(impl_->plan(frame)); }
+const Scene& Planner::scene() const { return impl_->scene; }
+const PlanOptions& Planner::options() const { return impl_->options; }
 
-FramePlan plan_frame(const Scene& scene, std::int64_t frame, const PlanOptions& options) {
-  return Planner(scene, options).plan(frame);
+Plan plan_frame(const Scene& scene, std::int64_t frame, const PlanOptions& options) {
+  FramePlan plan = *Planner(scene, options).plan(frame);
+  plan.alone = true;
+  return Plan(std::move(plan));
 }
 
 }  // namespace morphcl

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 

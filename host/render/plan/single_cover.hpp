@@ -2,7 +2,7 @@
 // anything, and renderers need not compare depths.
 #pragma once
 
-#include "host/render/plan/planner.hpp"
+#include "host/render/frame/frame_plan.hpp"
 
 namespace morphcl {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "host/error.hpp"
-#include "host/math/rounding.hpp"
 #include "host/render/frame/raster_grid.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

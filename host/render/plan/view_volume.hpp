@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "host/math/projection.hpp"
 #include "host/render/frame/camera_constants.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl {
 

@@ -1,9 +1,8 @@
-#include "host/render/reference/reference_renderer.hpp"
-
 #include <Imath/half.h>
 
-#include "host/render/frame/require_fit.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/shade.hpp"
+#include "morphcl/renderer.hpp"
 
 namespace morphcl {
 
@@ -11,8 +10,10 @@ namespace {
 
 class ReferenceRenderer : public Renderer {
  public:
-  void render(const FramePlan& plan, FrameBuffer& frame) override {
-    require_fit(plan, frame);
+  std::string name() const override { return "reference"; }
+
+ private:
+  void draw(const FramePlan& plan, FrameBuffer& frame) override {
     const RasterGrid grid(plan.width, plan.height);
     std::vector<std::vector<reference::Vertex>> vertices;
     for (const Draw& draw : plan.draws) vertices.push_back(reference::project_vertices(draw, plan, grid));
@@ -31,7 +32,6 @@ class ReferenceRenderer : public Renderer {
           frame.depth_row(y)[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
       }
   }
-  std::string name() const override { return "reference"; }
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "host/render/reference/shown_pixels.hpp"
 
-#include "host/image/frame_buffer.hpp"
 #include "host/render/reference/shade.hpp"
+#include "morphcl/frame.hpp"
 
 namespace morphcl::reference {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "host/error.hpp"
 #include "host/scene/gltf/gltf_container.hpp"
 #include "host/scene/model/input_file.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -15,8 +15,8 @@
 
 #include <string>
 
-#include "anim/time_base.hpp"
 #include "host/scene/model/imported_model.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "anim/hierarchy.hpp"
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

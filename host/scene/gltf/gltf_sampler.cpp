@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

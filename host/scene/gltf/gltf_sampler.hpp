@@ -1,9 +1,8 @@
 // One animation sampler of a glTF file as a Track.
 #pragma once
 
-#include "anim/time_base.hpp"
-#include "anim/track.hpp"
 #include "host/scene/gltf/gltf_accessor.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

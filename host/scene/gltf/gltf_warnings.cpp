@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

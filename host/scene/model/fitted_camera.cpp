@@ -11,8 +11,8 @@
 #include "anim/elastic.hpp"
 #include "anim/spring.hpp"
 #include "host/geometry/bounds.hpp"
-#include "host/math/angle.hpp"
-#include "host/math/look_at.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

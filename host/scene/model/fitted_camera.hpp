@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "anim/timeline.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

@@ -1,4 +1,4 @@
-#include "host/scene/model/frame_range.hpp"
+#include "morphcl/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "anim/timeline.hpp"
-#include "host/geometry/mesh.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/mesh.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

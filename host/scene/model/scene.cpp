@@ -1,4 +1,4 @@
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -21,7 +21,11 @@ void check_image(const ImageSettings& image) {
       fail(fmt::format("an image of {} x {} pixels; width and height reach from 1 to {}", image.width, image.height,
                        max_image_size));
   if (!image.color && !image.depth) fail("no channel is asked for; choose RGBA, Z or both");
+  if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
+    fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
 }
+
+constexpr int last_shading = static_cast<int>(Shading::wireframe);
 
 void check_object(const Scene& scene, std::size_t index) {
   const Object& object = scene.objects[index];
@@ -30,6 +34,8 @@ void check_object(const Scene& scene, std::size_t index) {
     fail(fmt::format("{}: mesh {} of {}", name, object.mesh, scene.meshes.size()));
   if (object.node < 0 || static_cast<std::size_t>(object.node) >= scene.timeline.nodes.size())
     fail(fmt::format("{}: node {} of {}", name, object.node, scene.timeline.nodes.size()));
+  if (const int shading = static_cast<int>(object.material.shading); shading < 0 || shading > last_shading)
+    fail(fmt::format("{}: there is no shading {}", name, shading));
   for (int c = 0; c < 4; ++c)
     if (!std::isfinite(object.material.base_color[c])) fail(fmt::format("{}: the base colour is not finite", name));
 
@@ -91,7 +97,9 @@ void Scene::morph(int object, std::string_view target, Track track) {
 
 void validate(const Scene& scene) {
   check_image(scene.image);
-  frame_numbers(scene.frames);
+  if (!(scene.accuracy_pixels >= 0 && std::isfinite(scene.accuracy_pixels)))
+    fail(fmt::format("an accuracy of {} pixels; a number from 0 is meant", scene.accuracy_pixels));
+  if (!scene.frames.empty()) frame_numbers(scene.frames);
   for (const Mesh& mesh : scene.meshes) validate(mesh);
   scene.timeline.validate();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) check_object(scene, i);

@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
-#include "host/error.hpp"
 #include "host/scene/obj/obj_text.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

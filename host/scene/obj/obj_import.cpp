@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "host/error.hpp"
 #include "host/scene/model/content_hash.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_material.hpp"
 #include "host/scene/obj/obj_mesh.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_text.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <tuple>
 
-#include "host/error.hpp"
 #include "host/scene/obj/polygon_triangulation.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "anim/time_base.hpp"
-#include "host/geometry/solids.hpp"
 #include "host/scene/model/content_hash.hpp"
 #include "host/scene/model/imported_model.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/solids.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

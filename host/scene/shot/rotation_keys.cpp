@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/math/angle.hpp"
 #include "host/math/direction.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 

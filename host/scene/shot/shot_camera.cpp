@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "host/math/principal_view.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "host/scene/shot/shot_projection.hpp"
 #include "host/scene/shot/vanishing_marks.hpp"
+#include "morphcl/camera.hpp"
 
 namespace morphcl {
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/scene/model/load_options.hpp"
-#include "host/scene/model/scene.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 

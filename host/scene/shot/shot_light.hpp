@@ -1,9 +1,9 @@
 // The [[light]] tables of a shot file.
 #pragma once
 
-#include "anim/timeline.hpp"
 #include "host/scene/shot/shot_track.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <unordered_set>
 
-#include "host/scene/model/scene.hpp"
 #include "host/scene/shot/mesh_library.hpp"
 #include "host/scene/shot/shot_track.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 

@@ -1,9 +1,9 @@
 // How a [camera] table projects: its projection, fields of view, window and distances.
 #pragma once
 
-#include "anim/timeline.hpp"
-#include "host/math/axonometric.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/timeline.hpp"
 
 namespace morphcl {
 

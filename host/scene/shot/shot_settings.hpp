@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "anim/time_base.hpp"
-#include "host/scene/model/scene.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

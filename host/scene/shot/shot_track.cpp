@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "anim/tangents.hpp"
-#include "host/scene/model/frame_range.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "host/scene/shot/rotation_keys.hpp"
+#include "morphcl/scene.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

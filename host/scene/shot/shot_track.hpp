@@ -1,9 +1,8 @@
 // The [[object.track]], [[camera.track]] and [[light.track]] tables of a shot file.
 #pragma once
 
-#include "anim/time_base.hpp"
-#include "anim/track.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "host/math/convention.hpp"
-#include "host/math/seven_step_rotation.hpp"
+#include "morphcl/convention.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

@@ -1,8 +1,8 @@
 // The [[object.transform]] tables of a shot file.
 #pragma once
 
-#include "host/math/composite_transform.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

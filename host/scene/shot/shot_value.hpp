@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "host/error.hpp"
 #include "host/scene/shot/toml_document.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 

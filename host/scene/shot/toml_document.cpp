@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "host/error.hpp"
+#include "morphcl/error.hpp"
 
 // The library (3.3) asserts, and with Clang's NDEBUG assumes, conditions that malformed text breaks, and then checks
 // them once more to report an error. Without the assertions the checks decide, in every build.

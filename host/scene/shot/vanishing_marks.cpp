@@ -5,8 +5,8 @@
 #include <string>
 
 #include "host/geometry/bounds.hpp"
-#include "host/math/rounding.hpp"
-#include "host/math/vanishing_point.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl {
 

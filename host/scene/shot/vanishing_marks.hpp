@@ -2,8 +2,8 @@
 // case for them.
 #pragma once
 
-#include "host/scene/model/scene.hpp"
 #include "host/scene/shot/shot_value.hpp"
+#include "morphcl/scene.hpp"
 
 namespace morphcl {
 

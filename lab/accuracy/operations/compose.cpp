@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <memory>
 
-#include "host/math/composite_transform.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

@@ -1,9 +1,9 @@
 // Depth buffers: whether two surfaces one behind the other are told apart, and what is left of a distance.
 #include <cmath>
 
-#include "host/math/depth_format.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/depth_format.hpp"
 
 namespace morphcl::accuracy {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <memory>
 
-#include "anim/track.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/track.hpp"
 
 namespace morphcl::accuracy {
 

@@ -1,5 +1,5 @@
 // Linear interpolation of morphed coordinates: (1 - t) a + t b.
-#include "host/math/lerp.hpp"
+#include "morphcl/numerics.hpp"
 
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"

@@ -1,9 +1,9 @@
 // The direction and the up vector of an axonometric view from azimuth and elevation.
 #include <cmath>
 
-#include "host/math/axonometric.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/camera.hpp"
 
 namespace morphcl::accuracy {
 

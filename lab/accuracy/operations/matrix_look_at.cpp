@@ -3,11 +3,11 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/math/look_at.hpp"
-#include "host/math/rounding.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/matrix_entries.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/camera.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

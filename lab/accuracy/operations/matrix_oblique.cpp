@@ -1,9 +1,9 @@
 // The shear of an oblique projection from the direction in which depth is drawn and the projectors' angle beta.
 #include <cmath>
 
-#include "host/math/oblique.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/projection.hpp"
 
 namespace morphcl::accuracy {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/math/projection.hpp"
-#include "host/math/rounding.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/projection.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

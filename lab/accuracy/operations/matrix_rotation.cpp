@@ -2,11 +2,11 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/math/rotation.hpp"
-#include "host/math/rounding.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/matrix_entries.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/rotation.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/math/composite_transform.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

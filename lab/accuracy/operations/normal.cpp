@@ -1,10 +1,9 @@
 // Unit normals of a transformed surface.
 #include <cmath>
 
-#include "host/batch/normal_rows.hpp"
-#include "host/batch/transform_reference.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/batch.hpp"
 
 namespace morphcl::accuracy {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/geometry/point_in_polygon.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
+#include "morphcl/predicates.hpp"
 
 namespace morphcl::accuracy {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/math/composite_transform.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::accuracy {
 

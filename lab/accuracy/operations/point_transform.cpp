@@ -3,14 +3,15 @@
 #include <array>
 #include <cmath>
 
-#include "host/batch/transform_buffers.hpp"
-#include "host/batch/transform_reference.hpp"
 #include "host/device/cl_error.hpp"
+#include "host/device/session_access.hpp"
 #include "lab/accuracy/elementwise.hpp"
 #include "lab/accuracy/operations/half.hpp"
 #include "lab/accuracy/operations/operations.hpp"
 #include "lab/accuracy/operations/point_matrices.hpp"
 #include "lab/accuracy/planar_operation.hpp"
+#include "morphcl/batch.hpp"
+#include "morphcl/opencl_interop.hpp"
 
 namespace morphcl::accuracy {
 
@@ -172,10 +173,10 @@ DeviceRun shipped_on_device(Session& session, const Batch& batch, Planes<float>&
   VertexBuffers in{VertexLayout::separate, {}}, out{VertexLayout::separate, {}};
   for (std::size_t axis = 0; axis < 3; ++axis)
     checked("buffers of vertices", [&] {
-      in.arrays[axis] = cl::Buffer(session.context(), CL_MEM_READ_WRITE, bytes);
-      out.arrays[axis] = cl::Buffer(session.context(), CL_MEM_READ_WRITE, bytes);
+      in.arrays[axis] = cl::Buffer(context_of(session), CL_MEM_READ_WRITE, bytes);
+      out.arrays[axis] = cl::Buffer(context_of(session), CL_MEM_READ_WRITE, bytes);
     });
-  const cl::CommandQueue queue = session.queue();
+  const cl::CommandQueue queue = queue_of(session);
   DeviceRun run;
   run.upload = [=, &batch] {
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "host/math/quaternion.hpp"
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
 #include "lab/accuracy/operations/quaternion_pairs.hpp"
+#include "morphcl/rotation.hpp"
 
 namespace morphcl::accuracy {
 

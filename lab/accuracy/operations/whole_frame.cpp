@@ -1,12 +1,12 @@
 // A whole frame: what the renderers draw beside an fp64 render of the same scene.
 #include <xxhash.h>
 
-#include "host/geometry/solids.hpp"
-#include "host/render/device/device_renderer.hpp"
-#include "host/render/reference/reference_renderer.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "lab/accuracy/operations/operations.hpp"
 #include "lab/frame_error/frame_difference.hpp"
 #include "lab/frame_error/precise_frame.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
 
 namespace morphcl::accuracy {
 
@@ -118,7 +118,7 @@ class SceneRun {
         settings_(settings),
         report_(report),
         plan_(plan_frame(test.scene, 0)),
-        shown_(reference::shown_pixels(plan_)) {}
+        shown_(reference::shown_pixels(*plan_)) {}
 
   void run() {
     draw("reference renderer", *make_reference_renderer(), plan_, "host");
@@ -127,7 +127,7 @@ class SceneRun {
     if (settings_.session) {
       const auto device = make_device_renderer(settings_.session);
       draw("device renderer", *device, plan_, "device+transfer");
-      const FramePlan all = plan_frame(test_.scene, 0, {.leave_out = false});
+      const Plan all = plan_frame(test_.scene, 0, {.leave_out = false});
       draw("device, nothing left out", *make_device_renderer(settings_.session), all, "device+transfer");
     }
     Result exact = result("fp64 render", "host");
@@ -153,22 +153,22 @@ class SceneRun {
   void draw_with_depth(DepthFormat format) {
     Scene scene = test_.scene;
     scene.image.depth_format = format;
-    const FramePlan plan = plan_frame(scene, 0);
+    const Plan plan = plan_frame(scene, 0);
     FrameBuffer pixels(width, height, true, true);
     const auto renderer = make_reference_renderer();
     renderer->render(plan, pixels);
     Result drawn = result(("depth as " + std::string(name_of(format))).c_str(), "host");
-    drawn.figures = figures_of(compare_with_fp64(scene, plan, pixels, reference::shown_pixels(plan), Truth::on_grid));
+    drawn.figures = figures_of(compare_with_fp64(scene, *plan, pixels, reference::shown_pixels(*plan), Truth::on_grid));
     drawn.hash = hash_of_frame(pixels);
     drawn.timings.push_back(timed([&] { renderer->render(plan, pixels); }, "host"));
     report_.results.push_back(std::move(drawn));
   }
 
-  void draw(const char* name, Renderer& renderer, const FramePlan& plan, const char* where) {
+  void draw(const char* name, Renderer& renderer, const Plan& plan, const char* where) {
     FrameBuffer pixels(width, height, true, true);
     renderer.render(plan, pixels);
     Result drawn = result(name, where == std::string("host") ? "host" : "device");
-    drawn.figures = figures_of(compare_with_fp64(test_.scene, plan_, pixels, shown_, Truth::on_grid));
+    drawn.figures = figures_of(compare_with_fp64(test_.scene, *plan_, pixels, shown_, Truth::on_grid));
     drawn.hash = hash_of_frame(pixels);
     if (report_.results.empty() || report_.results.back().family != test_.family.name)
       host_hash_ = drawn.hash;
@@ -181,7 +181,7 @@ class SceneRun {
   const TestScene& test_;
   const Settings& settings_;
   OperationReport& report_;
-  const FramePlan plan_;
+  const Plan plan_;
   const std::vector<reference::ShownPixel> shown_;
   std::uint64_t host_hash_ = 0;
 };

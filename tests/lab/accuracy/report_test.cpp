@@ -6,11 +6,11 @@
 #include <set>
 #include <sstream>
 
-#include "host/error.hpp"
 #include "lab/accuracy/verdict.hpp"
 #include "lab/accuracy/write_files.hpp"
 #include "lab/accuracy/write_plot.hpp"
 #include "lab/accuracy/write_table.hpp"
+#include "morphcl/error.hpp"
 #include "tests/lab/accuracy/one_operation.hpp"
 
 namespace morphcl::accuracy {

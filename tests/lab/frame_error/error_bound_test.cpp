@@ -22,12 +22,13 @@
 #include <cmath>
 #include <map>
 
-#include "host/geometry/solids.hpp"
+#include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/scene_vertices.hpp"
-#include "host/render/plan/planner.hpp"
 #include "host/render/reference/shown_pixels.hpp"
 #include "lab/frame_error/precise_frame.hpp"
 #include "lab/frame_error/stored_number.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
 
@@ -47,7 +48,7 @@ struct JudgedVertex {
 class JudgedScene {
  public:
   JudgedScene(const Scene& scene, std::int64_t frame)
-      : truth(scene, frame), plan(plan_frame(scene, frame)), shown(reference::shown_pixels(plan)) {
+      : truth(scene, frame), plan(*plan_frame(scene, frame)), shown(reference::shown_pixels(plan)) {
     const RasterGrid grid(plan.width, plan.height);
     vertices_.resize(scene.objects.size());
     for (const Draw& draw : plan.draws) {

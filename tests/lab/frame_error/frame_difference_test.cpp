@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "host/error.hpp"
-#include "host/geometry/solids.hpp"
 #include "lab/frame_error/stored_number.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/lab/frame_error/compare_frame.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"

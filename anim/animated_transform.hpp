@@ -1,3 +1,0 @@
-#pragma once
-
-#include "morphcl/animated_transform.hpp"

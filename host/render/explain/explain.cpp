@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include "anim/node_sampler.hpp"
+#include "anim/timeline_at.hpp"
+#include "host/render/explain/accuracy_notes.hpp"
+#include "host/render/explain/cost_model.hpp"
+#include "host/render/explain/earlier_frames.hpp"
+#include "host/render/explain/memory_model.hpp"
+#include "host/render/frame/frame_plan.hpp"
+#include "host/render/plan/has_primitives.hpp"
+#include "host/render/plan/single_cover.hpp"
+#include "morphcl/explain.hpp"
+
+namespace morphcl {
+
+namespace {
+
+std::string plural(std::size_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+struct Counts {
+  std::size_t hidden = 0, empty = 0, outside = 0;
+  std::size_t used_targets = 0, idle_targets = 0;  // of the draws, by weight
+};
+
+Counts count(const Scene& scene, const FramePlan& plan) {
+  Counts counts;
+  NodeSampler nodes(scene.timeline.nodes);
+  nodes.go_to(tick_of(scene.timeline.time, plan.frame));
+  for (const Object& object : scene.objects)
+    if (!has_primitives(object, scene.meshes[object.mesh]))
+      ++counts.empty;
+    else if (!nodes.is_visible(object.node))
+      ++counts.hidden;
+  counts.outside = scene.objects.size() - counts.empty - counts.hidden - plan.draws.size();
+  for (const Draw& draw : plan.draws) {
+    std::size_t used = 0;
+    for (const ActiveTarget& target : draw.targets) used += target.weight != 0.0f;
+    counts.used_targets += used;
+    counts.idle_targets += draw.mesh->targets.size() - used;
+  }
+  return counts;
+}
+
+class Notes {
+ public:
+  Notes(const Planner& planner, const FramePlan& plan)
+      : scene_(planner.scene()),
+        planner_(planner),
+        options_(planner.options()),
+        plan_(plan),
+        counts_(count(scene_, plan)),
+        reach_(find_reach(plan)),
+        work_(count_work(plan, reach_)),
+        costs_(estimate_costs(plan, work_, count_skipped(scene_, plan))) {}
+
+  std::vector<PlanNote> take() {
+    channels();
+    objects();
+    targets();
+    elastic();
+    shading();
+    stages();
+    for (PlanNote& vertices : accuracy_notes(scene_, plan_)) notes_.push_back(std::move(vertices));
+    earlier_frames();
+    blank_tiles();
+    return std::move(notes_);
+  }
+  double milliseconds() const { return costs_.everything; }
+
+ private:
+  void note(std::string item, bool done, std::string reason, double milliseconds) {
+    notes_.push_back({std::move(item), done, std::move(reason), milliseconds});
+  }
+  // What can be left out, unless the options say otherwise.
+  void note_idle(std::string item, bool may_leave_out, std::string reason, double milliseconds) {
+    if (may_leave_out && options_.leave_out)
+      note(std::move(item), false, std::move(reason), milliseconds);
+    else
+      note(std::move(item), true, std::move(reason) + kept, milliseconds);
+  }
+
+  void channels() {
+    note("RGBA", plan_.color, plan_.color ? "asked for" : "not among the channels", costs_.color);
+    note("Z", plan_.depth, plan_.depth ? "asked for" : "not among the channels", costs_.depth);
+  }
+
+  void objects() {
+    note("objects", !plan_.draws.empty(), fmt::format("{} of {} drawn", plan_.draws.size(), scene_.objects.size()),
+         costs_.draws);
+    // The cost of all objects that are not drawn, by their number.
+    const double skipped = static_cast<double>(scene_.objects.size() - plan_.draws.size());
+    const auto share = [&](std::size_t objects) { return costs_.skipped * static_cast<double>(objects) / skipped; };
+    if (counts_.outside)
+      note("objects out of view", false, plural(counts_.outside, "object") + ": their bounds miss the view",
+           share(counts_.outside));
+    if (counts_.hidden) note("hidden objects", false, plural(counts_.hidden, "object"), share(counts_.hidden));
+    if (counts_.empty) note("empty objects", false, plural(counts_.empty, "object") + " without anything to draw", 0);
+  }
+
+  void targets() {
+    note("morph targets", counts_.used_targets > 0,
+         counts_.used_targets > 0 ? plural(counts_.used_targets, "active target") : "no weight differs from 0",
+         costs_.targets);
+    if (counts_.idle_targets)
+      note_idle("idle morph targets", options_.idle_targets, plural(counts_.idle_targets, "target") + " of weight 0",
+                costs_.idle_targets);
+  }
+
+  void elastic() {
+    std::size_t objects = 0, modal = 0, masses = 0;
+    for (const Draw& draw : plan_.draws)
+      if (draw.displaced) {
+        ++objects;
+        modal += draw.displaced->method == ElasticMethod::modal;
+        masses += draw.displaced->masses;
+      }
+    if (objects == 0) return;
+    const std::string how = modal == objects ? "in closed form, mode by mode"
+                            : modal == 0     ? "in steps of TR-BDF2, 16 a frame"
+                                             : fmt::format("{} mode by mode, the others in steps of TR-BDF2", modal);
+    note("elastic vertices", true, fmt::format("{}, {}: {}", plural(objects, "object"), plural(masses, "point"), how),
+         costs_.elastic);
+  }
+
+  void shading() {
+    bool smooth = false, flat = false, tinted = false, lines = false;
+    for (const Draw& draw : plan_.draws) {
+      smooth |= draw.shading == Shading::smooth;
+      flat |= draw.shading == Shading::flat;
+      lines |= draw.shading == Shading::wireframe;
+      tinted |= draw.vertex_colors;
+    }
+    const bool lit = smooth || flat;
+    const char* const no_color = "no colour is asked for";
+    note("lights", !plan_.lights.empty() && lit,
+         !plan_.color && !lit   ? no_color
+         : plan_.lights.empty() ? "no light in the scene: ambient light is part of the colour"
+         : lit                  ? plural(plan_.lights.size(), "light")
+                                : "nothing that is lit",
+         costs_.lights);
+    note("vertex normals", smooth,
+         smooth        ? "smooth shading"
+         : plan_.color ? "no smooth shading"
+                       : no_color,
+         costs_.normals);
+    note("face light", flat,
+         flat          ? "flat shading: once a face"
+         : plan_.color ? "no flat shading"
+                       : no_color,
+         costs_.face_light);
+    note("vertex colours", tinted,
+         tinted        ? "the mesh has them"
+         : plan_.color ? "no mesh has them"
+                       : no_color,
+         costs_.colors);
+    note("lines", lines, lines ? "wireframe shading" : "no wireframe shading", costs_.lines);
+    note("blending", false, "surfaces are opaque: the nearest one shows", 0);
+  }
+
+  void stages() {
+    note("clipping", plan_.clips,
+         !plan_.clips                              ? "nothing comes near a clip plane"
+         : options_.leave_out && options_.clipping ? "something may touch the near plane or the guard band"
+                                                   : std::string("not judged") + kept,
+         costs_.clipping);
+    note("perspective divide", plan_.divides,
+         plan_.camera.parallel ? std::string("parallel projection: w is 1") + (plan_.divides ? kept : "")
+                               : "perspective",
+         costs_.divide);
+    note("depth test", plan_.tests_depth,
+         plan_.tests_depth           ? "triangles may lie behind others"
+         : has_convex_outline(plan_) ? "no pixel is covered twice: front faces within a convex outline"
+                                     : "no pixel is covered twice: front faces within a star-shaped outline",
+         costs_.depth_test);
+    if (is_forward(plan_.depth_format))
+      note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_format)), costs_.depth_format);
+  }
+
+  void earlier_frames() {
+    const std::optional<UnchangedDraws> unchanged = count_unchanged_draws(planner_, plan_);
+    if (unchanged && unchanged->count > 0)
+      note_idle("unchanged objects", options_.kept_vertices,
+                fmt::format("{} of {} as in frame {}: drawn after it, their vertices stay", unchanged->count,
+                            plan_.draws.size(), unchanged->frame),
+                costs_.vertices * static_cast<double>(unchanged->count) / static_cast<double>(plan_.draws.size()));
+    if (const auto equal = find_equal_frame(planner_, plan_))
+      note_idle("equal frame", options_.leave_out,
+                fmt::format("the picture of frame {}: drawn after it, it is copied", *equal), costs_.everything);
+  }
+
+  void blank_tiles() {
+    const std::size_t tiles = reach_.reached.size(), blank = tiles - reach_.reached_tiles;
+    if (blank == 0) return;
+    note_idle("blank tiles", options_.blank_tiles,
+              fmt::format("{} of {} tiles and {} of {} rows: no object reaches them", blank, tiles, reach_.blank_rows,
+                          plan_.height),
+              costs_.blank_pixels);
+  }
+
+  static constexpr const char* kept = "; nothing is to be left out";
+
+  const Scene& scene_;
+  const Planner& planner_;
+  const PlanOptions& options_;
+  const FramePlan& plan_;
+  const Counts counts_;
+  const ScreenReach reach_;
+  const Workload work_;
+  const FrameCosts costs_;
+  std::vector<PlanNote> notes_;
+};
+
+}  // namespace
+
+PlanReport explain(const Planner& planner, std::int64_t frame) {
+  Plan plan = planner.plan(frame);
+  Notes notes(planner, *plan);
+  std::vector<PlanNote> taken = notes.take();
+  const MemoryNeed memory = estimate_memory(*plan);
+  return {std::move(plan), std::move(taken), notes.milliseconds(), memory};
+}
+
+}  // namespace morphcl

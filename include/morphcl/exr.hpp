@@ -1,0 +1,89 @@
+// Frames as OpenEXR files: written whole or not at all, read back with every check.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morphcl/frame.hpp"
+
+namespace [[gnu::visibility("default")]] morphcl {
+
+// What a frame's file says about the frame. No date, host or path: two runs give the same bytes.
+struct FrameAttributes {
+  std::int64_t frame = 0;  // stored as imageCounter, and with the rate as timeCode
+  // Stored as framesPerSecond; numerator 0 to 2^31 - 1, denominator 1 to 2^31 - 1.
+  std::int64_t fps_numerator = 25, fps_denominator = 1;
+  // morphcl's convention: column vectors, the eye looks down -z. Stored as worldToCamera: row vectors, +z is the
+  // viewing direction.
+  glm::dmat4 world_to_eye{1.0};
+  // morphcl's convention: x and y from -1 to 1, y up. Stored as worldToNDC: row vectors, (0, 0) is the upper left and
+  // (1, 1) the lower right corner. Both matrices give screenWindowCenter and screenWindowWidth.
+  glm::dmat4 world_to_ndc{1.0};
+  std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
+};
+
+// none rle zips zip zip:small piz pxr24 b44 b44a dwaa dwab; the first six are lossless. zip and zip:small make files of
+// the same format: the one in the least time, the other with the least bytes.
+const std::vector<std::string>& compression_names();
+void check_compression(const std::string& name);  // Error(usage) lists the names when `name` is none of them
+
+// Writes to a temporary name in the same folder, flushes to disk, renames; missing folders are made. Returns the pixel
+// hash that the file holds: of the pixels that a reader gets, so with a lossy compression not that of `frame`.
+// Error(cannot_create) when the folder or the file cannot be made, Error(write_failed) when the disk is full; in both
+// cases nothing is left behind. `compression` is one of compression_names(), else Error(usage). More than one thread
+// helps a single frame; frames that are written at the same time do better with one thread each.
+std::string write_exr(const std::string& path, const FrameBuffer& frame, const FrameAttributes& attributes = {},
+                      const std::string& compression = "zip", int threads = 1);
+
+struct ExrFrame {
+  FrameBuffer frame;  // the data window
+  FrameAttributes attributes;
+  std::string stored_hash;  // empty in a file that is not morphcl's
+  std::string hash;         // of the pixels as decoded
+};
+
+// Decodes every pixel of the first part, scan lines or tiles, whose R, G, B, A (to half) or Z (to float) are kept: a
+// colour channel that is missing is 0, a missing A is 1. Error(cannot_read) when the file is missing, Error(bad_input)
+// when it is damaged, deep, larger than FrameBuffer::max_side or has none of these channels.
+ExrFrame read_exr(const std::string& path);
+
+// Reads a frame back that was just written with this hash. Error(write_failed) when it reads differently or not at all;
+// the file is removed then, so that what stands under a final name is whole.
+void verify_exr(const std::string& path, const std::string& hash);
+
+// The frame at `path` if it is whole and of the job with this fingerprint: its pixels, decoded, have the hash that it
+// holds. Never throws: what cannot be read is not finished.
+std::optional<ExrFrame> read_finished_frame(const std::string& path, const std::string& fingerprint);
+bool is_finished_frame(const std::string& path, const std::string& fingerprint);
+
+// ---- headers --------------------------------------------------------------------------------------------------------
+//
+// The header of an EXR file as texts, for people and programs: any scanline, tiled, deep or multi-part file.
+
+struct ExrWindow {
+  glm::ivec2 min, max;  // pixels, both inclusive
+};
+
+struct ExrChannel {
+  std::string name, type;  // type: half, float or uint
+};
+
+struct ExrAttribute {
+  std::string name, type, value;  // value: empty for a type that has no short text
+};
+
+struct ExrDescription {
+  int parts = 1;  // what follows is the first part's
+  ExrWindow data_window, display_window;
+  std::string compression;
+  std::vector<ExrChannel> channels;
+  std::vector<ExrAttribute> attributes;  // those that the fields above do not show, in the file's (alphabetical) order
+};
+
+// Error(cannot_read) when the file is missing, Error(bad_input) when it is no EXR file or its header is damaged.
+ExrDescription describe_exr(const std::string& path);
+
+}  // namespace morphcl

@@ -1,0 +1,69 @@
+// Renders a range of frames into files: overlap of rendering and writing, resume, verification, truthful result.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/scene.hpp"
+
+namespace [[gnu::visibility("default")]] morphcl {
+
+struct FrameResult {
+  std::int64_t frame = 0;
+  std::string path;
+  std::string hash;  // the pixel hash in the file
+  // copied: the job had written a frame with the same picture; its encoded pixels were copied, with this frame's
+  // number. kept: a former run had written it.
+  enum class Status { rendered, copied, kept, failed } status = Status::rendered;
+  std::string error;        // one line, when failed
+  int error_code = 0;       // the exit code of that error's kind
+  double milliseconds = 0;  // drawing alone; 0 unless it was rendered
+};
+
+struct RenderJob {
+  // A path whose file name holds at most one place for the frame number: a run of two or more '#' is that many digits,
+  // a lone '#' is four, %0Nd is N digits (N at most 20), %d is as many as needed. Shorter numbers get zeros in front,
+  // longer ones are not cut; a minus sign comes before the digits. Folders are taken as they are written.
+  std::string pattern;
+  std::vector<std::int64_t> frames = {};  // each once; empty: those of the scene
+  bool resume = false;                    // keep the finished frames of the same fingerprint
+  bool verify = false;  // read every frame back after it was written; one that reads back differently is removed
+  // A frame whose plan shows the same picture as one that this job has written is copied from that one's file.
+  bool reuse_equal_frames = true;
+  // CPU threads that compress while the next frame is drawn; 0: one for each CPU of the process, 8 at most.
+  int threads = 0;
+  // Frame buffers, the one being drawn included; 0: one more than threads, but at most 2 GiB of them (two at least). A
+  // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
+  // large frames fewer, so that drawing does not wait for each flush.
+  int frames_in_flight = 0;
+  PlanOptions plan = {};           // what is left out of frames; their pixels are the same
+  std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
+  bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
+  std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
+  const std::atomic<bool>* stop = nullptr;                // set: finish what was drawn, write it and return
+};
+
+struct JobResult {
+  std::vector<FrameResult> frames;  // in ascending order, only those that were reached
+  bool interrupted = false;         // the stop flag was seen before all frames were reached
+};
+
+// Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a scene that is not
+// valid, a pattern without a number although several frames are asked for, a pattern that is none, an unknown
+// compression, or pictures of a scene without colour; Error(cannot_create) when the output cannot be created. Thrown at
+// the end, when all frames were reached: the Error of the contact sheet; and what on_frame threw. Temporary files that
+// killed jobs of the same pattern left are removed. The renderer forgets
+// (Renderer::forget) before and after.
+JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
+
+// By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's
+// file but its number: the image's settings, meshes, objects, nodes, tracks, camera and lights, every byte that was
+// read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it.
+std::string fingerprint(const Scene& scene);
+
+}  // namespace morphcl

@@ -1,0 +1,46 @@
+// Renderers turn plans into pixels. Two exist and give the same bits: one that runs OpenCL kernels, and a reference of
+// plain loops, slow and short, which is the meaning of what the kernels compute.
+//
+//   const auto renderer = make_device_renderer(Session::open({}));
+//   const Planner planner(scene);
+//   FrameBuffer frame = planner.plan(0).make_frame();
+//   for (int i = 0; i <= 100; ++i) renderer->render(planner.plan(i), frame);
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "morphcl/frame.hpp"
+#include "morphcl/plan.hpp"
+
+namespace [[gnu::visibility("default")]] morphcl {
+
+class Session;
+
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+
+  // Draws the planned frame. Blocks until the pixels are in host memory. What plans of one planner share is kept
+  // between calls.
+  //
+  // Error(usage) when `frame` has another size or other channels than the plan, be they too few or too many, and when
+  // the plan is of another planner than those before it and forget() was not called: its scene may be another.
+  void render(const Plan& plan, FrameBuffer& frame);
+
+  // What the renderer has drawn so far counts no more: the next plan may be of any planner.
+  void forget() { planner_ = 0; }
+
+  virtual std::string name() const = 0;
+
+ private:
+  virtual void draw(const FramePlan& plan, FrameBuffer& frame) = 0;
+  std::uint64_t planner_ = 0;  // whose plans come; 0: any's
+};
+
+// Error(usage) without a session. The session must be one that Session::open() gave.
+std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session);
+std::unique_ptr<Renderer> make_reference_renderer();
+
+}  // namespace morphcl

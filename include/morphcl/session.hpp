@@ -1,0 +1,62 @@
+// An open OpenCL device. Nothing of OpenCL shows here: opencl_interop.hpp gives access to context and queue.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace [[gnu::visibility("default")]] morphcl {
+
+// What the self-test of a device says: identical, it computes the bits that every other such device computes; tolerant,
+// it rounds differently somewhere.
+enum class Verdict { identical, tolerant };
+
+struct DeviceInfo {
+  int index = 0;  // position in the list that `morphcl devices` prints; usable as --device
+  std::string name, vendor, driver_version, platform;
+  bool is_cpu = false;
+  unsigned compute_units = 0;
+  std::size_t global_memory = 0, max_allocation = 0, local_memory = 0;  // bytes
+  bool fp64 = false;                                                    // computes in double
+};
+
+struct SessionOptions {
+  std::string device;     // "" the first CPU device, else the first of any kind; a number: index; else part of a name
+  int threads = 0;        // 0: SLURM_CPUS_PER_TASK, else the affinity mask
+  std::string cache_dir;  // "" $MORPHCL_CACHE_DIR, else $XDG_CACHE_HOME/morphcl, else ~/.cache/morphcl; "-" no cache
+};
+
+// Must run before the process's first OpenCL call: sets PoCL's thread variables from `threads`, then probes the
+// installation in a child process, because PoCL 3.1 aborts where /sys is not mounted. Returns the thread count.
+int prepare_process(int threads);
+
+// Error(no_device) with the package to install when there is none.
+std::vector<DeviceInfo> list_devices();
+
+class Session {
+ public:
+  // Error(no_device): none found, or none matches; the message lists what there is.
+  static std::shared_ptr<Session> open(const SessionOptions& options);
+  ~Session();
+
+  const DeviceInfo& info() const;
+  // Result of the self-test (+ - * / sqrt fma, denormals, -0, half conversion, against the host, bit for bit).
+  Verdict verdict() const;
+  const std::string& verdict_detail() const;  // "" or what differs, with the largest difference in ulp
+
+  // Stores the binaries of programs that were built from source, for the kernels taken from them so far. These must
+  // have run by now: binaries hold work-group functions. Call it after the first frame is written, or from a thread of
+  // its own, as kernels may be used meanwhile: PoCL takes about as long as it took to compile. Call it again at the
+  // end, for kernels that later frames brought in; it is cheap when there is nothing to store. Never throws: an
+  // unwritable cache is no error.
+  void store_programs();
+
+ private:
+  friend struct SessionAccess;
+  Session();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace morphcl

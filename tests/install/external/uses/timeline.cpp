@@ -1,0 +1,7 @@
+#include <morphcl/timeline.hpp>
+
+bool use_timeline() {
+  const morphcl::Timeline timeline;
+  timeline.validate();
+  return morphcl::evaluate(timeline, 3).frame == 3;
+}

@@ -1,0 +1,160 @@
+// Both renderers refuse the frame buffers that do not fit a plan, and the plans of another scene, with the same words,
+// and draw nothing then.
+#include "morphcl/renderer.hpp"
+
+#include <algorithm>
+
+#include "host/render/frame/frame_plan.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
+#include "tests/render/parity.hpp"
+#include "tests/render/scene_builder.hpp"
+#include "tests/render/shared_session.hpp"
+
+namespace morphcl::test {
+namespace {
+
+struct Misfit {
+  const char* name;
+  bool plan_color, plan_depth;
+  int width, height;
+  bool color, depth;
+  const char* text;
+};
+
+// The plan draws 150 x 100 pixels.
+const Misfit misfits[] = {
+    {"narrower", true, true, 149, 100, true, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 149 x 100 pixels of RGBA and Z"},
+    {"lower", true, true, 150, 30, true, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 30 pixels of RGBA and Z"},
+    {"much smaller", true, true, 1, 1, true, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 1 x 1 pixels of RGBA and Z"},
+    {"wider", true, true, 151, 100, true, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 151 x 100 pixels of RGBA and Z"},
+    {"higher", true, true, 150, 200, true, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 200 pixels of RGBA and Z"},
+    {"without colour", true, true, 150, 100, false, true,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of Z alone"},
+    {"without depth", true, true, 150, 100, true, false,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of RGBA alone"},
+    {"without channels", true, true, 150, 100, false, false,
+     "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of no channels"},
+    {"colour too many", false, true, 150, 100, true, true,
+     "the plan draws 150 x 100 pixels of Z alone, but the frame buffer has 150 x 100 pixels of RGBA and Z"},
+    {"depth too many", true, false, 150, 100, true, true,
+     "the plan draws 150 x 100 pixels of RGBA alone, but the frame buffer has 150 x 100 pixels of RGBA and Z"},
+    {"the other channels", false, true, 150, 100, true, false,
+     "the plan draws 150 x 100 pixels of Z alone, but the frame buffer has 150 x 100 pixels of RGBA alone"},
+};
+
+Scene cube_scene(bool color, bool depth) {
+  SceneBuilder builder(150, 100);
+  builder.look({3, 2, 6});
+  builder.add(make_cube(), Shading::flat);
+  Scene scene = builder.scene();
+  scene.image.color = color;
+  scene.image.depth = depth;
+  return scene;
+}
+
+void expect_refusals(Renderer& renderer) {
+  for (const Misfit& misfit : misfits) {
+    SCOPED_TRACE(renderer.name() + ", " + misfit.name);
+    const Scene scene = cube_scene(misfit.plan_color, misfit.plan_depth);
+    const Plan plan = plan_frame(scene, 0);
+    FrameBuffer frame(misfit.width, misfit.height, misfit.color, misfit.depth);
+    std::fill_n(frame.data(), frame.bytes(), std::byte{0x5a});
+    try {
+      renderer.render(plan, frame);
+      ADD_FAILURE() << "was drawn";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+      EXPECT_STREQ(error.what(), misfit.text);
+    }
+    EXPECT_TRUE(
+        std::all_of(frame.data(), frame.data() + frame.bytes(), [](std::byte b) { return b == std::byte{0x5a}; }));
+  }
+}
+
+TEST(Renderer, ReferenceRendererRefusesWhatDoesNotFit) { expect_refusals(*make_reference_renderer()); }
+
+TEST(Renderer, DeviceRendererRefusesWhatDoesNotFit) { expect_refusals(*make_device_renderer(shared_session())); }
+
+TEST(Renderer, EveryChoiceOfChannelsThatFitsIsDrawn) {
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  for (const auto& [color, depth] : {std::pair{true, true}, {true, false}, {false, true}}) {
+    const Scene scene = cube_scene(color, depth);
+    const Plan plan = plan_frame(scene, 0);
+    FrameBuffer expected(150, 100, color, depth), actual(150, 100, color, depth);
+    reference->render(plan, expected);
+    device->render(plan, actual);
+    EXPECT_TRUE(same_pixels(expected, actual)) << color << depth;
+    if (color) {
+      EXPECT_GT(covered_pixels(actual), 100u);
+    }
+    if (depth) {
+      EXPECT_LT(std::ranges::min(actual.depth_row(50)), 100.0f);
+    }
+  }
+}
+
+void expect_another_planner_is_refused(Renderer& renderer) {
+  const Scene cube = cube_scene(true, true);
+  Scene turned = cube;
+  turned.timeline.camera.eye = {6, 2, 3};
+  const Planner first(cube), second(turned);
+  FrameBuffer frame = first.plan(0).make_frame(), other = second.plan(0).make_frame();
+  renderer.render(first.plan(0), frame);
+  std::fill_n(other.data(), other.bytes(), std::byte{0x5a});
+  try {
+    renderer.render(second.plan(0), other);
+    ADD_FAILURE() << renderer.name() << " has drawn it";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_STREQ(error.what(),
+                 "the plan is of another planner than those drawn before it; call forget() before another scene comes");
+  }
+  EXPECT_TRUE(
+      std::all_of(other.data(), other.data() + other.bytes(), [](std::byte b) { return b == std::byte{0x5a}; }));
+  renderer.render(first.plan(0), frame);  // nothing has changed for those that fit
+
+  renderer.forget();
+  renderer.render(second.plan(0), other);
+  FrameBuffer expected = second.plan(0).make_frame();
+  make_reference_renderer()->render(second.plan(0), expected);
+  EXPECT_TRUE(same_pixels(expected, other)) << renderer.name();
+  EXPECT_THROW(renderer.render(first.plan(0), frame), Error) << "the second scene is drawn now";
+}
+
+TEST(Renderer, RefusesPlansOfAnotherSceneUntilItForgets) {
+  expect_another_planner_is_refused(*make_reference_renderer());
+  expect_another_planner_is_refused(*make_device_renderer(shared_session()));
+}
+
+TEST(Renderer, APlanThatStandsAloneIsDrawnBetweenOthers) {
+  const Scene cube = cube_scene(true, true);
+  Scene turned = cube;
+  turned.timeline.camera.eye = {6, 2, 3};
+  const Planner planner(cube);
+  const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
+  FrameBuffer expected = planner.plan(0).make_frame(), actual = planner.plan(0).make_frame();
+  for (const Plan& plan : {planner.plan(0), plan_frame(turned, 0), plan_frame(turned, 0), planner.plan(0)}) {
+    reference->render(plan, expected);
+    device->render(plan, actual);
+    EXPECT_TRUE(same_pixels(expected, actual));
+  }
+}
+
+TEST(Renderer, ADeviceRendererNeedsASession) {
+  try {
+    make_device_renderer(nullptr);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+  }
+}
+
+}  // namespace
+}  // namespace morphcl::test
