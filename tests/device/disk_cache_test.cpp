@@ -5,15 +5,14 @@
 #include <sys/stat.h>
 
 #include <fstream>
-#include <iterator>
 
-#include "tests/device/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 using Bytes = std::vector<unsigned char>;
 
 const CacheKey key{0x0123456789abcdef, 0xfedcba9876543210};
@@ -27,13 +26,10 @@ class DiskCacheFile : public ::testing::Test {
   fs::path file() const { return folder / (key.hex() + ".bin"); }
 
   Bytes read() const {
-    std::ifstream stream(file(), std::ios::binary);
-    return Bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::vector<char> bytes = test_support::bytes_of(file());
+    return Bytes(bytes.begin(), bytes.end());
   }
-  void write(const Bytes& bytes) const {
-    std::ofstream stream(file(), std::ios::binary | std::ios::trunc);
-    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
+  void write(const Bytes& bytes) const { test_support::write_bytes(file(), {bytes.begin(), bytes.end()}); }
 
   TemporaryFolder folder;
   DiskCache cache{folder.path(), "bin"};

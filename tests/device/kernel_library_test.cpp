@@ -5,7 +5,7 @@
 
 #include "tests/device/child_process.hpp"
 #include "tests/device/kernel_libraries.hpp"
-#include "tests/device/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::testing {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 TEST(KernelLibraries, GiveTheSameBits) {
   const std::vector<std::string> command = {"transform", "5000", "33"};
   const auto hash = [&](const char* library) {
-    const TemporaryFolder cache;  // whether PoCL tells libraries apart in its cache is not documented
+    const test_support::TemporaryFolder cache;  // whether PoCL tells libraries apart in its cache is not documented
     Environment environment = {{"MORPHCL_CACHE_DIR", "-"}, {"POCL_CACHE_DIR", cache.path().string()}};
     if (library) environment["POCL_KERNELLIB_NAME"] = library;
     const ChildResult result = run_device_child(command, environment);

@@ -9,12 +9,13 @@
 
 #include <fstream>
 
-#include "tests/device/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::TemporaryFolder;
 
 TEST(ProcessFolder, IsFreshAndForThisUserOnly) {
   const TemporaryFolder parent;

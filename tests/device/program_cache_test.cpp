@@ -8,18 +8,18 @@
 #include <set>
 
 #include "tests/device/child_process.hpp"
-#include "tests/device/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::TemporaryFolder;
 using testing::ChildProcess;
 using testing::ChildResult;
 using testing::device_child_command;
 using testing::Environment;
 using testing::run_device_child;
-using testing::TemporaryFolder;
 
 const std::vector<std::string> transform = {"arrays", "100"};  // three kernels of one program
 

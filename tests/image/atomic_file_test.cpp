@@ -17,13 +17,14 @@
 
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 ErrorKind kind_of_failure(const std::function<void()>& action, const std::string& path) {
   try {
@@ -89,7 +90,7 @@ TEST(AtomicFile, PipesAndFoldersAreNotReplaced) {
   const TemporaryFolder folder;
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::filesystem::create_directory(folder / "folder");
-  for (const std::string& path : {folder / "pipe", folder / "folder"})
+  for (const std::filesystem::path& path : {folder / "pipe", folder / "folder"})
     EXPECT_EQ(kind_of_failure([&] { write_file_atomically(path, some_bytes); }, path), ErrorKind::cannot_create);
   EXPECT_EQ(folder.names(), (std::set<std::string>{"pipe", "folder"}));
 }

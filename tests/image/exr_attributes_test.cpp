@@ -13,13 +13,14 @@
 
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 Imf::Header written_header(const FrameAttributes& attributes, bool color = true, bool depth = true) {
   const TemporaryFolder folder;

@@ -9,13 +9,14 @@
 #include "host/image/exr_encode.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 const std::string fingerprint = "0123456789abcdef0123456789abcdef";
 

@@ -14,13 +14,14 @@
 
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 // A window with a negative origin, 20 x 10 pixels; value(x, y) differs from pixel to pixel and is exact in half.
 const Imath::Box2i window({-7, -3}, {12, 6});

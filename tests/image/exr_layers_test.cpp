@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "morphcl/error.hpp"
-#include "tests/image/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
-using namespace image_test;
+using namespace test_support;
 
 TEST(ExrLayers, AnotherReaderFindsEveryChannelAndValue) {
   const TemporaryFolder folder;

@@ -1,27 +1,22 @@
 // OpenImageIO's oiiotool reads the files as meant, and writes them again without a changed pixel.
 #include <gtest/gtest.h>
-#include <stdio.h>
 
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
-struct Outcome {
-  int status;
-  std::string text;
-};
-Outcome oiiotool(const std::string& arguments) {
-  FILE* pipe = popen((std::string(MORPHCL_OIIOTOOL) + " " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome{-1, ""};
-  char line[512];
-  while (pipe && fgets(line, sizeof line, pipe)) outcome.text += line;
-  if (pipe) outcome.status = pclose(pipe);
-  return outcome;
+// `out` has what it printed on both streams.
+ProcessResult oiiotool(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {MORPHCL_OIIOTOOL};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_process(command, {.standard_error = StandardError::with_stdout});
 }
 
 TEST(OtherReader, ShowsTheAttributes) {
@@ -32,8 +27,8 @@ TEST(OtherReader, ShowsTheAttributes) {
   attributes.fps_denominator = 1001;
   attributes.fingerprint = "0123456789abcdef";
   const std::string hash = write_exr(folder / "a.exr", disc_frame(64, 48), attributes, "zip");
-  const Outcome info = oiiotool("--info -v " + (folder / "a.exr"));
-  EXPECT_EQ(info.status, 0);
+  const ProcessResult info = oiiotool({"--info", "-v", folder / "a.exr"});
+  EXPECT_EQ(info.code, 0);
   for (const std::string& line :
        {std::string("64 x   48, 5 channel, half/half/half/half/float openexr"),
         std::string("channel list: R (half), G (half), B (half), A (half), Z (float)"),
@@ -42,7 +37,7 @@ TEST(OtherReader, ShowsTheAttributes) {
         std::string("morphclFingerprint: \"0123456789abcdef\""), "pixelHash: \"" + hash + "\"",
         std::string("worldToCamera: 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1"),
         std::string("worldToNDC: 0.5, 0, 0, 0, 0, -0.5, 0, 0, 0, 0, 1, 0, 0.5, 0.5, 0, 1")})
-    EXPECT_NE(info.text.find(line), std::string::npos) << line << "\nnot in\n" << info.text;
+    EXPECT_NE(info.out.find(line), std::string::npos) << line << "\nnot in\n" << info.out;
 }
 
 TEST(OtherReader, WritesTheSamePixelsAgain) {
@@ -50,8 +45,8 @@ TEST(OtherReader, WritesTheSamePixelsAgain) {
   for (const char* compression : {"none", "rle", "zips", "zip", "zip:small", "piz"}) {
     const FrameBuffer frame = disc_frame(130, 70);
     const std::string hash = write_exr(folder / "a.exr", frame, {}, compression);
-    const Outcome copy = oiiotool((folder / "a.exr") + " -o " + (folder / "b.exr"));
-    ASSERT_EQ(copy.status, 0) << copy.text;
+    const ProcessResult copy = oiiotool({folder / "a.exr", "-o", folder / "b.exr"});
+    ASSERT_EQ(copy.code, 0) << copy.out;
     const ExrFrame read = read_exr(folder / "b.exr");
     EXPECT_EQ(difference(frame, read.frame), "") << compression;
     EXPECT_EQ(read.hash, hash) << compression;
@@ -63,12 +58,12 @@ TEST(OtherReader, TakesTheSamePixelsFromEveryLosslessCompression) {
   std::string first;
   for (const char* compression : {"none", "rle", "zips", "zip", "zip:small", "piz"}) {
     write_exr(folder / "a.exr", disc_frame(130, 70), {}, compression);
-    const Outcome hash = oiiotool("--hash " + (folder / "a.exr"));
-    ASSERT_EQ(hash.status, 0) << hash.text;
-    const std::size_t sha = hash.text.find("SHA-1:");
-    ASSERT_NE(sha, std::string::npos) << hash.text;
-    if (first.empty()) first = hash.text.substr(sha);
-    EXPECT_EQ(hash.text.substr(sha), first) << compression;
+    const ProcessResult hash = oiiotool({"--hash", folder / "a.exr"});
+    ASSERT_EQ(hash.code, 0) << hash.out;
+    const std::size_t sha = hash.out.find("SHA-1:");
+    ASSERT_NE(sha, std::string::npos) << hash.out;
+    if (first.empty()) first = hash.out.substr(sha);
+    EXPECT_EQ(hash.out.substr(sha), first) << compression;
   }
 }
 

@@ -6,13 +6,14 @@
 #include "host/image/exr_encode.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 const std::vector<std::string> lossless{"none", "rle", "zips", "zip", "zip:small", "piz"};
 const std::vector<std::string> lossy{"pxr24", "b44", "b44a", "dwaa", "dwab"};

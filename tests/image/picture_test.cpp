@@ -10,8 +10,8 @@
 #include "host/image/contact_sheet.hpp"
 #include "host/image/srgb.hpp"
 #include "morphcl/error.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 
@@ -22,6 +22,7 @@ static void PrintTo(const Rgb& c, std::ostream* stream) {
 namespace {
 
 using namespace image_test;
+using namespace test_support;
 
 RgbImage read_png(const std::string& path) {
   png_image header{};

@@ -11,16 +11,16 @@
 #include "morphcl/exr.hpp"
 #include "morphcl/renderer.hpp"
 #include "morphcl/solids.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/job/frame_lists.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace job_test;
-using image_test::bytes_of;
-using image_test::TemporaryFolder;
+using test_support::bytes_of;
+using test_support::TemporaryFolder;
 using Status = FrameResult::Status;
 
 // What the plan says, by the reference renderer, which is asked for every picture here.
@@ -147,7 +147,7 @@ TEST(EqualFrames, SourceThatGoesWhileTheJobRunsIsDrawnAgain) {
       std::vector<char> bytes = bytes_of(folder / "a.00.exr");
       std::filesystem::remove(folder / "a.00.exr");
       for (std::size_t i = bytes.size() - 200; i < bytes.size() - 100; ++i) bytes[i] = static_cast<char>(~bytes[i]);
-      if (overwrite) image_test::write_bytes(folder / "a.00.exr", bytes);
+      if (overwrite) test_support::write_bytes(folder / "a.00.exr", bytes);
       gone = true;
     };
     const JobResult result = run(job, scene, renderer);

@@ -8,14 +8,14 @@
 #include <thread>
 
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace job_test;
-using image_test::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 RenderJob slow_job(const TemporaryFolder& folder) {
   std::vector<std::int64_t> frames;
@@ -86,8 +86,8 @@ std::string stale_temporary(const std::string& file) {
 TEST(KilledJob, ItsTemporaryFilesAreRemovedByTheNextJobOfThePattern) {
   const TemporaryFolder folder;
   const std::string of_this = stale_temporary("shot.0003.exr"), of_another = stale_temporary("other.0003.exr");
-  image_test::write_bytes(folder / of_this, {'x'});
-  image_test::write_bytes(folder / of_another, {'x'});
+  test_support::write_bytes(folder / of_this, {'x'});
+  test_support::write_bytes(folder / of_another, {'x'});
   FakeRenderer renderer;
   run(job_of(folder / "shot.####.exr", {1, 2}), empty_scene(), renderer);
   EXPECT_EQ(folder.names(), (std::set<std::string>{of_another, "shot.0001.exr", "shot.0002.exr"}));

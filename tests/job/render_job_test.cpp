@@ -11,16 +11,16 @@
 
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
-#include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/job/frame_lists.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace job_test;
-using image_test::bytes_of;
-using image_test::TemporaryFolder;
+using test_support::bytes_of;
+using test_support::TemporaryFolder;
 using Status = FrameResult::Status;
 
 void expect_whole(const FrameResult& result) {
@@ -171,11 +171,11 @@ TEST(RenderJob, ResumeRendersExactlyWhatIsMissingOrDamaged) {
 
   std::filesystem::remove(folder / "a.02.exr");
   std::vector<char> bytes = bytes_of(folder / "a.04.exr");
-  image_test::write_bytes(folder / "a.04.exr", {bytes.begin(), bytes.begin() + bytes.size() * 6 / 10});
+  test_support::write_bytes(folder / "a.04.exr", {bytes.begin(), bytes.begin() + bytes.size() * 6 / 10});
   bytes = bytes_of(folder / "a.05.exr");
   bytes[bytes.size() - 40] = static_cast<char>(bytes[bytes.size() - 40] ^ 4);
-  image_test::write_bytes(folder / "a.05.exr", bytes);
-  image_test::write_bytes(folder / "a.07.exr", {});
+  test_support::write_bytes(folder / "a.05.exr", bytes);
+  test_support::write_bytes(folder / "a.07.exr", {});
 
   job.resume = true;
   FakeRenderer second;
@@ -328,7 +328,7 @@ TEST(RenderJob, WrongSettingsAreFoundBeforeAnythingIsRendered) {
 
 TEST(RenderJob, OutputThatCannotBeCreatedIsFoundBeforeAnythingIsRendered) {
   const TemporaryFolder folder;
-  image_test::write_bytes(folder / "file", {'x'});
+  test_support::write_bytes(folder / "file", {'x'});
   EXPECT_EQ(kind_of_failure(job_of(folder / "file/a.##.exr", range(0, 3))), ErrorKind::cannot_create);
   EXPECT_EQ(kind_of_failure(job_of("/proc/nope/a.##.exr", range(0, 3))), ErrorKind::cannot_create);
   RenderJob job = job_of(folder / "a.##.exr", range(0, 3));

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <thread>
 
-#include "tests/image/temporary_folder.hpp"
 #include "tests/job/fake_renderer.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 std::atomic<int> flush_milliseconds{0}, flushing{0}, max_flushing{0};
@@ -35,7 +35,7 @@ using namespace job_test;
 TEST(SlowDisk, FramesInMemoryStayBoundedAndFlushesOverlap) {
   flush_milliseconds = 20;
   for (const auto& [threads, in_flight] : {std::pair{1, 1}, {2, 3}}) {
-    const image_test::TemporaryFolder folder;
+    const test_support::TemporaryFolder folder;
     FakeRenderer renderer;
     std::atomic<int> drawn{0}, written{0}, max_at_once{0};
     renderer.before_draw = [&](std::int64_t) { max_at_once = std::max<int>(max_at_once, ++drawn - written); };

@@ -9,9 +9,9 @@
 #include "morphcl/job.hpp"
 #include "morphcl/renderer.hpp"
 #include "morphcl/scene.hpp"
-#include "tests/device/temporary_folder.hpp"
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
                       "obj/spot.obj"));
 
 TEST(AssetParity, AFaceWithTwoTargets) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::string shot = (folder / "face.toml").string();
   std::ofstream(shot) << "[frames]\nrange = \"0-10\"\n[[object]]\nname = \"face\"\nmesh = \""
                       << asset("obj_face/generic_neutral_mesh.obj") << "\"\ntargets = [\""

@@ -6,14 +6,14 @@
 
 #include "tests/device/child_process.hpp"
 #include "tests/device/kernel_libraries.hpp"
-#include "tests/device/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
 
+using test_support::TemporaryFolder;
 using testing::ChildProcess;
 using testing::Environment;
-using testing::TemporaryFolder;
 
 std::string frame_hashes(Environment environment, const TemporaryFolder& cache,
                          const std::vector<std::string>& extra = {}) {

@@ -18,7 +18,7 @@ class GltfAnimation : public testing::Test {
     track.evaluate(tick, value.data());
     return value;
   }
-  TemporaryFolder folder;
+  test_support::TemporaryFolder folder;
 };
 
 // Keys that lie unevenly, so that tangents must be scaled by each key distance; some on frames, some between.

@@ -24,7 +24,7 @@ class GltfBadInput : public testing::Test {
     const std::string path = folder.write(name, bytes);
     expect_refusal([&] { import_gltf(path, TimeBase{}); }, ErrorKind::bad_input, path + place_after_path, words);
   }
-  TemporaryFolder folder;
+  test_support::TemporaryFolder folder;
 };
 
 TEST_F(GltfBadInput, MissingFile) {

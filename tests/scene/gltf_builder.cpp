@@ -58,14 +58,14 @@ int GltfBuilder::animate(int node, const std::string& path, const std::vector<fl
   return animation(node, path.c_str(), input, output, interpolation);
 }
 
-std::string GltfBuilder::write(const TemporaryFolder& folder, const std::string& name) const {
+std::string GltfBuilder::write(const test_support::TemporaryFolder& folder, const std::string& name) const {
   nlohmann::json file = json;
   if (!file.contains("buffers")) file["buffers"] = {{{"byteLength", bytes.size()}, {"uri", "model.bin"}}};
   folder.write("model.bin", bytes);
   return folder.write(name, file.dump());
 }
 
-std::string GltfBuilder::write_binary(const TemporaryFolder& folder, const std::string& name) const {
+std::string GltfBuilder::write_binary(const test_support::TemporaryFolder& folder, const std::string& name) const {
   nlohmann::json file = json;
   file["buffers"] = {{{"byteLength", bytes.size()}}};
   return folder.write(name, binary_gltf(file.dump(), bytes));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/scene/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 
@@ -36,8 +36,9 @@ struct GltfBuilder {
   int animate(int node, const std::string& path, const std::vector<float>& times, const std::vector<float>& values,
               const char* interpolation = "LINEAR");
 
-  std::string write(const TemporaryFolder& folder, const std::string& name = "model.gltf") const;  // and "model.bin"
-  std::string write_binary(const TemporaryFolder& folder, const std::string& name = "model.glb") const;
+  std::string write(const test_support::TemporaryFolder& folder,
+                    const std::string& name = "model.gltf") const;  // and "model.bin"
+  std::string write_binary(const test_support::TemporaryFolder& folder, const std::string& name = "model.glb") const;
 
   static std::size_t width(const std::string& type);
 };

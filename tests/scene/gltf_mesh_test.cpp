@@ -12,7 +12,7 @@ namespace {
 class GltfMeshes : public testing::Test {
  protected:
   ImportedModel import(const GltfBuilder& file) { return import_gltf(file.write(folder), TimeBase{}); }
-  TemporaryFolder folder;
+  test_support::TemporaryFolder folder;
 };
 
 GltfBuilder five_points(int mode) {

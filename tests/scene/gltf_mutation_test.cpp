@@ -30,7 +30,7 @@ GltfBuilder file_with_everything() {
 }
 
 TEST(GltfMutation, ChangedBytesAreRefusedOrRead) {
-  const TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const GltfBuilder file = file_with_everything();
   nlohmann::json json = file.json;
   json["buffers"] = {{{"byteLength", file.bytes.size()}}};

@@ -13,7 +13,7 @@ namespace {
 class GltfScene : public testing::Test {
  protected:
   ImportedModel import(const GltfBuilder& file) { return import_gltf(file.write(folder), TimeBase{}); }
-  TemporaryFolder folder;
+  test_support::TemporaryFolder folder;
 };
 
 TEST_F(GltfScene, NodesKeepTranslationRotationScaleAndParents) {

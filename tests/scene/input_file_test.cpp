@@ -6,7 +6,7 @@
 #include "host/scene/model/content_hash.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "tests/scene/import_error.hpp"
-#include "tests/scene/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(InputFile, ReadsAllBytesUpToTheLimit) {
-  const TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::string bytes("a\0b\n", 4), path = folder.write("file", bytes);
   EXPECT_EQ(read_input_file(path, 4), bytes);
   expect_refusal([&] { read_input_file(path, 3); }, ErrorKind::bad_input, path, "holds 4 bytes; at most 3 are read");
@@ -27,7 +27,7 @@ TEST(InputFile, DevicesAndFoldersAreRefused) {
 }
 
 TEST(ConfinedPath, StaysInTheFolderOfTheOwner) {
-  const TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::string owner = folder.write("models/a.gltf", "");
   const fs::path root = fs::canonical(folder.path()) / "models";
   EXPECT_EQ(confined_path(owner, "b.bin", false, "here"), (root / "b.bin").string());
@@ -43,7 +43,7 @@ TEST(ConfinedPath, StaysInTheFolderOfTheOwner) {
 }
 
 TEST(ConfinedPath, SymbolicLinksOfFoldersAreFollowed) {
-  const TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::string owner = folder.write("models/a.gltf", "");
   folder.write("other/b.bin", "");
   fs::create_directory_symlink("../other", folder.path() / "models/link");

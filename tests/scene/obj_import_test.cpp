@@ -8,7 +8,7 @@
 #include "host/scene/obj/obj_import.hpp"
 #include "morphcl/mesh.hpp"
 #include "tests/scene/import_error.hpp"
-#include "tests/scene/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -25,7 +25,7 @@ class ObjImport : public testing::Test {
     const std::string neutral_path = folder.write("neutral.obj", neutral), path = folder.write("smile.obj", target);
     expect_refusal([&] { import_obj_targets(neutral_path, {path}); }, ErrorKind::bad_input, path + line, words);
   }
-  TemporaryFolder folder;
+  test_support::TemporaryFolder folder;
 };
 
 using Triangles = std::vector<glm::uvec3>;

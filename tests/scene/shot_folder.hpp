@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "morphcl/scene.hpp"
-#include "tests/scene/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 
@@ -19,7 +19,7 @@ class ShotFolder {
   std::string refusal(std::string_view shot, const LoadOptions& options = {}) const;
 
  private:
-  test::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 // A shot with nothing but a cube.
