@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::architecture {
 namespace {
@@ -21,17 +20,13 @@ const std::set<std::string> made_by_the_build = {};
 // A source tree of its own, removed at the end.
 class PlantedTree : public testing::Test {
  protected:
-  PlantedTree() {
-    std::string name = (fs::temp_directory_path() / "morphcl-arrows-XXXXXX").string();
-    root_ = mkdtemp(name.data());
-  }
-  ~PlantedTree() override { fs::remove_all(root_); }
+  void plant(const std::string& path, const std::string& text) { folder_.write(path, text); }
 
-  void plant(const std::string& path, const std::string& text) {
-    fs::create_directories((root_ / path).parent_path());
-    std::ofstream(root_ / path) << text;
-  }
-  fs::path root_;
+ private:
+  const test_support::TemporaryFolder folder_;
+
+ protected:
+  const fs::path& root_ = folder_.path();
 };
 
 TEST(Architecture, EveryIncludeFollowsAnArrowOfTheLayout) {

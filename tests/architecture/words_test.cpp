@@ -2,34 +2,27 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cctype>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace morphcl::architecture {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::text_of;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
 const fs::path repository = MORPHCL_SOURCE_DIR;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> listed_words() {
   std::vector<std::string> words;
@@ -117,11 +110,10 @@ TEST(Words, AreFoundInNamesAndNowhereElse) {
               ElementsAre("MOST", "define", "f", "int", "least_w"));
   EXPECT_EQ(in_parts("mostWanted_thing"), "_most_wanted_thing_");
   EXPECT_EQ(in_parts("FETCH_AHEAD"), "_fetch_ahead_");
-  const fs::path planted = fs::temp_directory_path() / ("morphcl_closeness_" + std::to_string(getpid()) + ".cpp");
-  std::ofstream(planted) << "float leastWeight, leftmost, most_;  // greatest\n";
+  const test_support::TemporaryFolder folder;
+  const fs::path planted = folder.write("closeness.cpp", "float leastWeight, leftmost, most_;  // greatest\n");
   EXPECT_THAT(unwanted_names(planted, {"least", "most", "closeness"}),
               UnorderedElementsAre("leastWeight", "most_", planted.stem().string()));
-  fs::remove(planted);
 }
 
 }  // namespace

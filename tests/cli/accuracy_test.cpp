@@ -2,14 +2,14 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
 
 using testing::HasSubstr;
 
-class Accuracy : public ScratchFolder {
+class Accuracy : public ToolTest {
  protected:
   ToolResult run(std::vector<std::string> options, const ToolOptions& how = {}) {
     options.insert(options.begin(), "accuracy");
@@ -24,9 +24,9 @@ TEST_F(Accuracy, PrintsATableAndWritesTheFiles) {
   EXPECT_THAT(result.out, HasSubstr("is enough"));
   EXPECT_THAT(result.out, HasSubstr("no printed digit changes"));
   EXPECT_THAT(result.out, HasSubstr("device: none"));
-  const nlohmann::json json = nlohmann::json::parse(read_file(path("out/accuracy.json")));
+  const nlohmann::json json = nlohmann::json::parse(text_of(path("out/accuracy.json")));
   EXPECT_EQ(json["operations"].size(), 2u);
-  EXPECT_THAT(read_file(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
+  EXPECT_THAT(text_of(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
 }
 
 TEST_F(Accuracy, WithoutGnuplotTheOtherFilesComeAndOneLineSaysWhatIsMissing) {
@@ -48,7 +48,7 @@ TEST_F(Accuracy, AGnuplotThatFailsLeavesThePlotsOfBefore) {
                                 {.environment = {{"PATH", path("bin")}}, .folder = folder_});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("morphcl: no plots: gnuplot failed"));
-  EXPECT_EQ(read_file(path("out/accuracy.svg")), "of before");
+  EXPECT_EQ(text_of(path("out/accuracy.svg")), "of before");
   EXPECT_EQ(files(),
             (std::set<std::string>{"bin/gnuplot", "out/accuracy.csv", "out/accuracy.json", "out/accuracy.svg"}));
 }

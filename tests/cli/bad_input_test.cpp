@@ -1,16 +1,17 @@
 // Shots and models that are wrong: the exit code, one line with the file and the place, and nothing written.
 #include <limits>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
 #include "tests/cli/gltf_sample.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
 
 constexpr int usage = 2, bad_input = 65, cannot_read = 66;
 
-class BadInput : public ScratchFolder {
+class BadInput : public ToolTest {
  protected:
   // Renders a planted file with the reference renderer; the tool must end at once, however large the claims of the
   // file.

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -13,7 +14,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-class Compare : public ScratchFolder {
+class Compare : public ToolTest {
  protected:
   ToolResult compare(std::vector<std::string> options) {
     std::vector<std::string> arguments = {"compare", plant("shot.toml", cube_shot()), "--device", "reference"};
@@ -62,7 +63,7 @@ TEST_F(Compare, WritesPicturesAndATable) {
   const ToolResult info = run_tool({"info", path("error/shot.0002.true.exr")});
   EXPECT_EQ(info.code, 0) << info.err;
   EXPECT_THAT(info.out, HasSubstr("mask"));
-  const std::string table = read_file(path("error/shot.csv"));
+  const std::string table = text_of(path("error/shot.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5) << "header; frame and object of both truths";
 }
 

@@ -2,8 +2,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -13,7 +14,7 @@ using testing::HasSubstr;
 
 constexpr int no_device = 69;
 
-class Device : public ScratchFolder {
+class Device : public ToolTest {
  protected:
   Device() {
     plant("shot.toml", cube_shot());

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tests/cli/tool_process.hpp"
+#include "tests/cli/run_tool.hpp"
 
 namespace morphcl::cli_test {
 

@@ -4,8 +4,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr int cannot_create = 73, write_failed = 74;
 
-class Output : public ScratchFolder {
+class Output : public ToolTest {
  protected:
   std::vector<std::string> render(std::vector<std::string> options) {
     std::vector<std::string> arguments = {"render", plant("shot.toml", cube_shot()), "--device", "reference"};
@@ -104,7 +105,7 @@ TEST_F(Output, FileSizeLimitOfTheShell) {
 }
 
 TEST_F(Output, ResultsThatCannotBePrinted) {
-  const ToolResult result = run_tool({"plan", plant("shot.toml", cube_shot())}, {.stdout_path = "/dev/full"});
+  const ToolResult result = run_tool({"plan", plant("shot.toml", cube_shot())}, {.stdout_to = "/dev/full"});
   expect_one_line_error(result, write_failed, "stdout");
 }
 

@@ -1,8 +1,9 @@
 // What morphcl plan prints, and that leaving nothing out changes no pixel.
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -11,7 +12,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-class Plan : public ScratchFolder {
+class Plan : public ToolTest {
  protected:
   Plan() { plant("shot.toml", cube_shot()); }
 

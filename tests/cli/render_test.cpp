@@ -1,8 +1,9 @@
 // Frames that are rendered: their names, hashes, reports, and what --resume and --verify do.
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -12,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class Render : public ScratchFolder {
+class Render : public ToolTest {
  protected:
   Render() { plant("shot.toml", cube_shot()); }
 
@@ -100,7 +101,7 @@ TEST_F(Render, AFrameIsWhatItsNumberSays) {
   const auto all = hashes({}, "rendered"), alone = hashes({"--frames", "3", "-o", "alone.####.exr"}, "rendered");
   ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(alone.at(3), all.at(3));
-  EXPECT_EQ(read_file(path("alone.0003.exr")), read_file(path("shot.0003.exr")));
+  EXPECT_EQ(text_of(path("alone.0003.exr")), text_of(path("shot.0003.exr")));
 }
 
 TEST_F(Render, ResumeKeepsWholeFramesAndMakesTheOthersAgain) {
@@ -146,21 +147,22 @@ TEST_F(Render, PreviewAndContactSheetAndVerify) {
   EXPECT_THAT(result.out, HasSubstr("all.png"));
   EXPECT_EQ(files(), (std::set<std::string>{"all.png", "shot.0000.exr", "shot.0000.png", "shot.0001.exr",
                                             "shot.0001.png", "shot.toml"}));
-  EXPECT_EQ(read_file(path("all.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(text_of(path("all.png")).substr(1, 3), "PNG");
 }
 
 TEST_F(Render, TheBarIsDrawnOnATerminalOnly) {
   const ToolResult colored =
-      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", ""}}, .stderr_is_terminal = true});
+      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", ""}}, .standard_error = StandardError::terminal});
   EXPECT_THAT(colored.err, HasSubstr("5/5 frames"));
   EXPECT_THAT(colored.err, HasSubstr("frames/s"));
   EXPECT_THAT(colored.err, HasSubstr("\033[32m"));
   const ToolResult plain =
-      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}}, .stderr_is_terminal = true});
+      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}}, .standard_error = StandardError::terminal});
   EXPECT_THAT(plain.err, HasSubstr("5/5 frames"));
   EXPECT_THAT(plain.err, Not(HasSubstr("\033[32m")));
-  EXPECT_EQ(render({}, {.environment = {{"TERM", "dumb"}}, .stderr_is_terminal = true}).err, "");
-  EXPECT_EQ(render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .stderr_is_terminal = true}).err, "");
+  EXPECT_EQ(render({}, {.environment = {{"TERM", "dumb"}}, .standard_error = StandardError::terminal}).err, "");
+  EXPECT_EQ(render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .standard_error = StandardError::terminal}).err,
+            "");
 }
 
 TEST_F(Render, InfoRecomputesTheHashThatTheFileHolds) {

@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 constexpr int interrupted = 75;
 constexpr std::size_t enough_files = 3;
 
-class Stop : public ScratchFolder {
+class Stop : public ToolTest {
  protected:
   Stop() { plant("shot.toml", cube_shot()); }
 
@@ -56,10 +57,10 @@ class Stop : public ScratchFolder {
 
 TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
   for (int number : {SIGTERM, SIGINT, SIGUSR1}) {
-    ToolProcess process(job("0-20000", {"-o", path(std::to_string(number)) + "/shot.#####.exr"}), {});
+    ChildProcess process(tool_command(job("0-20000", {"-o", path(std::to_string(number)) + "/shot.#####.exr"})), {});
     while (files_ending_in(".exr") == 0) ASSERT_TRUE(process.wait_until_it_handles(number));
     process.signal(number);
-    const ToolResult result = process.wait();
+    const ToolResult result = process.finish();
     EXPECT_EQ(result.code, interrupted);
     ASSERT_EQ(result.err_lines().size(), 1u) << result.err;
     EXPECT_THAT(result.err, HasSubstr("--resume"));
@@ -69,10 +70,10 @@ TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
 }
 
 TEST_F(Stop, AfterATermTheFinishedFramesAreWholeAndKept) {
-  ToolProcess process(job("0-20000"), {.folder = folder_});
+  ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
   wait_for_files();
   process.signal(SIGTERM);
-  EXPECT_EQ(process.wait().code, interrupted);
+  EXPECT_EQ(process.finish().code, interrupted);
   const std::size_t finished = files_ending_in(".exr");
   expect_only_whole_frames();
   const ToolResult resumed = run_tool(job(range_to(finished), {"--resume"}), {.folder = folder_});
@@ -82,18 +83,18 @@ TEST_F(Stop, AfterATermTheFinishedFramesAreWholeAndKept) {
 
 // The frame is large, so that the process is still busy with it when the second signal comes.
 TEST_F(Stop, ASecondSignalEndsTheProcessAtOnce) {
-  ToolProcess process(job("0-100", {"--size", "4096x4096"}), {.folder = folder_});
+  ChildProcess process(tool_command(job("0-100", {"--size", "4096x4096"})), {.folder = folder_});
   ASSERT_TRUE(process.wait_until_it_handles(SIGTERM));
   process.signal(SIGTERM);
   process.signal(SIGINT);
-  EXPECT_THAT(process.wait().code, testing::AnyOf(128 + SIGTERM, 128 + SIGINT));
+  EXPECT_THAT(process.finish().code, testing::AnyOf(128 + SIGTERM, 128 + SIGINT));
 }
 
 TEST_F(Stop, KilledInTheMiddleItLeavesWholeFramesAndResumeCompletesThem) {
-  ToolProcess process(job("0-20000"), {.folder = folder_});
+  ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
   wait_for_files();
   process.signal(SIGKILL);
-  EXPECT_EQ(process.wait().code, 128 + SIGKILL);
+  EXPECT_EQ(process.finish().code, 128 + SIGKILL);
   expect_only_whole_frames();
   const std::string range = range_to(files_ending_in(".exr") + 4);
   const auto resumed = hashes(job(range, {"--resume", "--json"}));

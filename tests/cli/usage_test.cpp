@@ -1,13 +1,14 @@
 // What is wrong on the command line itself: exit code 2, one line, nothing written.
+#include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
-#include "tests/cli/scratch_folder.hpp"
+#include "tests/cli/tool_test.hpp"
 
 namespace morphcl::cli_test {
 namespace {
 
 using testing::HasSubstr;
 
-class Usage : public ScratchFolder {
+class Usage : public ToolTest {
  protected:
   void expect_usage_error(std::vector<std::string> options, const std::string& part) {
     std::vector<std::string> arguments = {"render", plant("shot.toml", cube_shot()), "--device", "reference"};

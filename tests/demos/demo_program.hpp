@@ -7,9 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/demos/program_process.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::viewer_test {
+
+using test_support::ChildProcess;
+using test_support::lines_of;
 
 inline constexpr const char* kMorphDemo = MORPHCL_TEST_MORPH_DEMO;
 inline constexpr const char* kTeapots = MORPHCL_TEST_TEAPOTS;
@@ -18,15 +22,14 @@ inline constexpr const char* kTeapots = MORPHCL_TEST_TEAPOTS;
 inline constexpr std::chrono::seconds kProgramLimit{120};
 
 class DemoProgram : public ::testing::Test {
+ private:
+  const test_support::TemporaryFolder temporary_;
+
  protected:
-  DemoProgram();
-  ~DemoProgram() override;
+  // No display where `display` is empty; it runs in the folder, and the kernel caches are below it.
+  test_support::ProcessOptions options(const std::string& display = "") const;
 
-  // A display only where `environment` names one; the kernel caches are below the folder.
-  std::vector<std::string> lines(const std::string& text) const;
-  Environment environment(const std::string& display = "") const;
-
-  std::filesystem::path folder_;  // removed at the end
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 }  // namespace morphcl::viewer_test

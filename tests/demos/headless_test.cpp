@@ -10,21 +10,15 @@ namespace {
 
 class Headless : public DemoProgram {
  protected:
-  struct Result {
-    int code = -1;
-    std::string out, err;
-  };
-  Result run(const std::string& program, std::vector<std::string> arguments) const {
+  test_support::ProcessResult run(const std::string& program, std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), program);
-    ProgramProcess process(arguments, folder_, environment());
-    const auto code = process.wait(kProgramLimit);
-    return {code.value_or(-1), process.out(), process.err()};
+    return test_support::run_process(arguments, options());
   }
   std::string hash_of(const std::string& file) const { return read_exr((folder_ / file).string()).hash; }
   void expect_error(const std::vector<std::string>& arguments, int code, const std::string& part) const {
-    const Result result = run(kMorphDemo, arguments);
+    const test_support::ProcessResult result = run(kMorphDemo, arguments);
     EXPECT_EQ(result.code, code) << result.err;
-    EXPECT_EQ(lines(result.err).size(), 1u) << result.err;
+    EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
     EXPECT_EQ(result.err.rfind("morph_demo: ", 0), 0u) << result.err;
     EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
     EXPECT_EQ(result.out, "");
@@ -38,8 +32,8 @@ TEST_F(Headless, StepsAreTheFramesOfTheShot) {
     int frame;
   } cases[] = {{"k37", 37}, {"k137", 100}, {"k137,p137", 0}, {"space", 100}, {"k3,q2,P", 4}};
   for (const auto& [script, frame] : cases) {
-    const Result result = run(kMorphDemo, {"--headless", "--size", "160x90", "--script", script, "--out", "out.exr",
-                                           "--device", "reference"});
+    const test_support::ProcessResult result = run(kMorphDemo, {"--headless", "--size", "160x90", "--script", script,
+                                                                "--out", "out.exr", "--device", "reference"});
     ASSERT_EQ(result.code, 0) << script << ": " << result.err;
     EXPECT_EQ(result.out, "out.exr\n") << script;
     EXPECT_EQ(hash_of("out.exr"), pixel_hash(expected_frame(scene, frame))) << script;
@@ -47,7 +41,7 @@ TEST_F(Headless, StepsAreTheFramesOfTheShot) {
 }
 
 TEST_F(Headless, ExportedFrameIsFrame37OnTheDeviceToo) {
-  const Result result = run(kMorphDemo, {"--headless", "--size", "160x90", "--script", "k37,e"});
+  const test_support::ProcessResult result = run(kMorphDemo, {"--headless", "--size", "160x90", "--script", "k37,e"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out, "morph_demo.0037.exr\n");
   EXPECT_EQ(hash_of("morph_demo.0037.exr"),
@@ -76,7 +70,7 @@ TEST_F(Headless, TeapotsInBothProjectionsAreTheDemosOwn) {
   } cases[] = {{"o", Orthographic{-5, 5, -5, 5, -10, 10}}, {"f,k9", Frustum{-2, 2, -2, 2, 3, 10}}};
   for (const auto& [script, projection] : cases) {
     scene.timeline.camera.projection = projection;
-    const Result result = run(
+    const test_support::ProcessResult result = run(
         kTeapots, {"--headless", "--size", "120x120", "--script", script, "--out", "t.exr", "--device", "reference"});
     ASSERT_EQ(result.code, 0) << script << ": " << result.err;
     EXPECT_EQ(hash_of("t.exr"), pixel_hash(expected_frame(scene, 0))) << script;
@@ -87,7 +81,7 @@ TEST_F(Headless, TeapotEyeMovesUpByFifths) {
   Scene scene = demo_scene("teapots.toml", 120, 120);
   scene.timeline.camera.projection = Frustum{-2, 2, -2, 2, 3, 10};
   scene.timeline.camera.eye = {0, 0.6, 8};
-  const Result result = run(
+  const test_support::ProcessResult result = run(
       kTeapots, {"--headless", "--size", "120x120", "--script", "f,w4,s", "--out", "t.exr", "--device", "reference"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(hash_of("t.exr"), pixel_hash(expected_frame(scene, 0)));
@@ -95,7 +89,7 @@ TEST_F(Headless, TeapotEyeMovesUpByFifths) {
 
 TEST_F(Headless, PngIsThePictureWithWhatHShows) {
   const auto picture_of = [&](const std::string& script) {
-    const Result result = run(
+    const test_support::ProcessResult result = run(
         kMorphDemo, {"--headless", "--size", "320x180", "--script", script, "--out", "a.png", "--device", "reference"});
     EXPECT_EQ(result.code, 0) << script << ": " << result.err;
     return read_png((folder_ / "a.png").string());
@@ -110,7 +104,7 @@ TEST_F(Headless, PngIsThePictureWithWhatHShows) {
 }
 
 TEST_F(Headless, HelpNamesEveryKeyAndTheGrammar) {
-  const Result result = run(kMorphDemo, {"--help"});
+  const test_support::ProcessResult result = run(kMorphDemo, {"--help"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
   for (const char* part : {"k q", "space", "esc", "--script k37,o,w3,e", "--headless", "--size WxH"}) {
@@ -158,9 +152,9 @@ TEST_F(Headless, UnwritableOutputsAndUnknownDevicesAreOneLine) {
 
 TEST_F(Headless, WithoutADisplayTheWindowSaysSo) {
   for (const char* program : {kMorphDemo, kTeapots}) {
-    const Result result = run(program, {});
+    const test_support::ProcessResult result = run(program, {});
     EXPECT_EQ(result.code, 69);
-    EXPECT_EQ(lines(result.err).size(), 1u) << result.err;
+    EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
     EXPECT_NE(result.err.find("no display"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("use --headless"), std::string::npos) << result.err;
   }

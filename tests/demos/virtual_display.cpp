@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <thread>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::viewer_test {
 namespace {
@@ -37,7 +37,7 @@ VirtualDisplay::VirtualDisplay(const std::filesystem::path& folder)
     : folder_(folder),
       server_({MORPHCL_TEST_XVFB, "-displayfd", "1", "-screen", "0", "1024x768x24", "-fbdir", folder.string(),
                "-noreset", "-nolisten", "tcp"},
-              folder, {}) {
+              {.folder = folder}) {
   const auto end = std::chrono::steady_clock::now() + kStartLimit;
   while (server_.runs() && std::chrono::steady_clock::now() < end) {
     const std::string printed = server_.out();  // the number, once the server is ready
@@ -51,8 +51,7 @@ VirtualDisplay::VirtualDisplay(const std::filesystem::path& folder)
 }
 
 RgbImage VirtualDisplay::screenshot() const {
-  std::ifstream file(folder_ / "Xvfb_screen0", std::ios::binary);
-  const std::string data((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string data = test_support::text_of(folder_ / "Xvfb_screen0");
   if (word(data, version) != 7 || word(data, pixel_bits) != 32 || word(data, byte_order) != 0) {
     throw std::runtime_error("Xvfb's frame buffer is not XWD 7 of 32-bit little-endian pixels");
   }
@@ -72,9 +71,10 @@ RgbImage VirtualDisplay::screenshot() const {
 std::string VirtualDisplay::xdotool(const std::vector<std::string>& arguments) const {
   std::vector<std::string> command = {MORPHCL_TEST_XDOTOOL};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  ProgramProcess process(command, folder_, {{"DISPLAY", name_}});
-  if (process.wait(kStartLimit) != 0) return "";
-  std::string printed = process.out();
+  const test_support::ProcessResult result = test_support::run_process(
+      command, {.environment = {{"DISPLAY", name_}}, .folder = folder_, .limit = kStartLimit});
+  if (result.code != 0) return "";
+  std::string printed = result.out;
   if (printed.ends_with('\n')) printed.pop_back();
   return printed;
 }

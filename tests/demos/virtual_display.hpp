@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/image/png_file.hpp"
-#include "tests/demos/program_process.hpp"
+#include "tests/support/child_process.hpp"
 
 namespace morphcl::viewer_test {
 
@@ -25,7 +25,7 @@ class VirtualDisplay {
 
  private:
   std::filesystem::path folder_;
-  ProgramProcess server_;
+  test_support::ChildProcess server_;
   std::string name_;
 };
 

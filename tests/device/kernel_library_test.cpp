@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tests/device/child_process.hpp"
 #include "tests/device/kernel_libraries.hpp"
+#include "tests/device/run_device_child.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::testing {
@@ -14,7 +14,7 @@ TEST(KernelLibraries, GiveTheSameBits) {
   const std::vector<std::string> command = {"transform", "5000", "33"};
   const auto hash = [&](const char* library) {
     const test_support::TemporaryFolder cache;  // whether PoCL tells libraries apart in its cache is not documented
-    Environment environment = {{"MORPHCL_CACHE_DIR", "-"}, {"POCL_CACHE_DIR", cache.path().string()}};
+    test_support::Environment environment = {{"MORPHCL_CACHE_DIR", "-"}, {"POCL_CACHE_DIR", cache.path().string()}};
     if (library) environment["POCL_KERNELLIB_NAME"] = library;
     const ChildResult result = run_device_child(command, environment);
     EXPECT_EQ(result.exit_code, 0) << result.output;

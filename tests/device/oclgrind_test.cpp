@@ -1,7 +1,7 @@
 // The kernels under Oclgrind: a second OpenCL implementation, which also checks every access.
 #include <gtest/gtest.h>
 
-#include "tests/device/child_process.hpp"
+#include "tests/device/run_device_child.hpp"
 
 namespace morphcl::testing {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 ChildResult run_checked(const std::vector<std::string>& arguments) {
   std::vector<std::string> command = {MORPHCL_OCLGRIND_CLEAN};
   for (const std::string& word : device_child_command(arguments)) command.push_back(word);
-  return ChildProcess(command, {}).wait();
+  return run_child(command, {});
 }
 
 TEST(Oclgrind, SelfTestIsCleanAndIdentical) {

@@ -3,22 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <fstream>
 #include <map>
 #include <set>
 
-#include "tests/device/child_process.hpp"
+#include "tests/device/run_device_child.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::ChildProcess;
+using test_support::Environment;
 using test_support::TemporaryFolder;
-using testing::ChildProcess;
 using testing::ChildResult;
 using testing::device_child_command;
-using testing::Environment;
 using testing::run_device_child;
 
 const std::vector<std::string> transform = {"arrays", "100"};  // three kernels of one program
@@ -93,9 +94,10 @@ TEST(ProgramCacheFolder, TakesInKernelsThatLaterProcessesUseFirst) {
 
 TEST(ProgramCacheFolder, FourProcessesMayFillItAtOnce) {
   const TemporaryFolder cache;
-  std::vector<ChildProcess> children;
-  for (int i = 0; i < 4; ++i) children.emplace_back(device_child_command(transform), with_cache(cache.path()));
-  for (ChildProcess& child : children) EXPECT_EQ(expect_hash(child.wait()), expected_hash());
+  std::deque<ChildProcess> children;
+  for (int i = 0; i < 4; ++i)
+    children.emplace_back(device_child_command(transform), testing::device_options(with_cache(cache.path())));
+  for (ChildProcess& child : children) EXPECT_EQ(expect_hash(testing::result_of(child)), expected_hash());
   EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 5u);
   EXPECT_EQ(files_with(cache.path(), ".tmp").size(), 0u);
   EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());

@@ -7,7 +7,7 @@
 #include <cctype>
 
 #include "morphcl/error.hpp"
-#include "tests/device/child_process.hpp"
+#include "tests/device/run_device_child.hpp"
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {

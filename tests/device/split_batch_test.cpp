@@ -1,13 +1,13 @@
 // Batches whose arrays are larger than the device's largest allocation.
 #include <gtest/gtest.h>
 
-#include "tests/device/child_process.hpp"
+#include "tests/device/run_device_child.hpp"
 
 namespace morphcl::testing {
 namespace {
 
 TEST(SplitBatch, ArraysBeyondTheLargestAllocationAreTransformedInParts) {
-  Environment environment = warm_cache();
+  test_support::Environment environment = warm_cache();
   environment["POCL_MEMORY_LIMIT"] = "1";  // GiB, of which PoCL gives a quarter to one buffer
   constexpr std::size_t count = 23'000'001;
   const ChildResult result = run_device_child({"split", std::to_string(count)}, environment);

@@ -7,13 +7,13 @@
 #include <cstdlib>
 
 #include "morphcl/error.hpp"
-#include "tests/device/child_process.hpp"
+#include "tests/device/run_device_child.hpp"
 
 namespace morphcl {
 namespace {
 
+using test_support::Environment;
 using testing::ChildResult;
-using testing::Environment;
 using testing::run_device_child;
 using testing::warm_cache;
 

@@ -3,43 +3,36 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::text_of;
 
 const fs::path root = MORPHCL_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream stream(path);
-  EXPECT_TRUE(stream) << path;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(Readme, ItsProgramIsTheOneThatIsBuiltAndRun) {
-  const std::string readme = read(root / "README.md");
+  const std::string readme = text_of(root / "README.md");
   const std::string opening = "```cpp\n";
   const std::size_t begin = readme.find(opening) + opening.size(), end = readme.find("```", begin);
   ASSERT_LT(begin, end);
-  EXPECT_EQ(readme.substr(begin, end - begin), read(root / "demos/first_program.cpp"));
+  EXPECT_EQ(readme.substr(begin, end - begin), text_of(root / "demos/first_program.cpp"));
 }
 
 TEST(Readme, IsShortAndSoIsItsProgram) {
-  EXPECT_LT(lines(read(root / "README.md")), 150);
-  EXPECT_LT(lines(read(root / "demos/first_program.cpp")), 40);
+  EXPECT_LT(lines(text_of(root / "README.md")), 150);
+  EXPECT_LT(lines(text_of(root / "demos/first_program.cpp")), 40);
 }
 
 TEST(Readme, EveryFileAndFolderThatItLinksToExists) {
-  const std::string readme = read(root / "README.md");
+  const std::string readme = text_of(root / "README.md");
   const std::regex link(R"(\]\(([^)#:]+)\))");
   const std::sregex_iterator first(readme.begin(), readme.end(), link), last;
   EXPECT_GT(std::distance(first, last), 5);
@@ -49,7 +42,7 @@ TEST(Readme, EveryFileAndFolderThatItLinksToExists) {
 TEST(Readme, ThePictureIsSmall) { EXPECT_LT(fs::file_size(root / "docs/pyramid_to_cube.png"), 300'000u); }
 
 TEST(Readme, EveryShotThatItNamesExists) {
-  const std::string readme = read(root / "README.md");
+  const std::string readme = text_of(root / "README.md");
   const std::regex shot(R"(demos/[a-z_]+\.toml)");
   for (std::sregex_iterator match(readme.begin(), readme.end(), shot), last; match != last; ++match)
     EXPECT_TRUE(fs::exists(root / match->str())) << match->str();

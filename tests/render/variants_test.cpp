@@ -4,25 +4,29 @@
 
 #include <algorithm>
 
-#include "tests/device/child_process.hpp"
 #include "tests/device/kernel_libraries.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
 
+using test_support::Environment;
 using test_support::TemporaryFolder;
-using testing::ChildProcess;
-using testing::Environment;
 
 std::string frame_hashes(Environment environment, const TemporaryFolder& cache,
                          const std::vector<std::string>& extra = {}) {
   environment["MORPHCL_CACHE_DIR"] = (cache / "morphcl").string();
   std::vector<std::string> command = {MORPHCL_FRAME_HASHES, "150", "100"};
   command.insert(command.end(), extra.begin(), extra.end());
-  const testing::ChildResult result = ChildProcess(command, environment).wait();
-  EXPECT_EQ(result.exit_code, 0) << result.output;
-  return result.output;
+  // Of this process's variables the program sees PATH, HOME and TMPDIR only: none may choose a kernel library.
+  const test_support::ProcessResult result =
+      test_support::run_process(command, {.environment = environment,
+                                          .inherits_environment = false,
+                                          .standard_error = test_support::StandardError::with_stdout,
+                                          .limit = std::chrono::minutes(20)});
+  EXPECT_EQ(result.code, 0) << result.out;
+  return result.out;
 }
 
 TEST(FrameHashes, AreThoseOfTheReferenceWithOneThreadAndWithTwo) {

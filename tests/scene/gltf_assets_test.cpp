@@ -9,7 +9,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -17,6 +16,7 @@
 #include "morphcl/error.hpp"
 #include "morphcl/mesh.hpp"
 #include "tests/scene/gltf_comparison.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -123,8 +123,7 @@ const std::set<std::string> shapes_not_read = {"KHR_draco_mesh_compression", "EX
 
 // Read from the JSON alone: neither reader takes part. A .glb begins with 12 bytes and the JSON's length and kind.
 std::vector<std::string> required_extensions(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = test_support::text_of(path);
   if (fs::path(path).extension() == ".glb") {
     std::uint32_t length = 0;
     std::memcpy(&length, text.data() + 12, sizeof length);

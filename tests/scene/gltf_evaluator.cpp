@@ -3,19 +3,13 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::test {
 
 namespace {
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::runtime_error("cannot open " + path.string());
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::vector<Real> json_numbers(const nlohmann::json& object, const char* key, std::vector<Real> otherwise) {
   if (!object.contains(key)) return otherwise;
@@ -76,12 +70,13 @@ Matrix compose(const std::vector<Real>& t, std::vector<Real> q, const std::vecto
 }  // namespace
 
 GltfEvaluator::GltfEvaluator(const std::string& path, std::int64_t frames_per_second, std::int64_t ticks_per_frame)
-    : json_(nlohmann::json::parse(read(path))),
+    : json_(nlohmann::json::parse(test_support::text_of(path))),
       frames_per_second_(frames_per_second),
       ticks_per_frame_(ticks_per_frame),
       ticks_per_second_(frames_per_second * ticks_per_frame) {
   for (const auto& buffer : json_["buffers"])
-    buffers_.push_back(read(std::filesystem::path(path).parent_path() / buffer["uri"].get<std::string>()));
+    buffers_.push_back(
+        test_support::text_of(std::filesystem::path(path).parent_path() / buffer["uri"].get<std::string>()));
 }
 
 std::int64_t GltfEvaluator::tick_of(Real seconds) const {

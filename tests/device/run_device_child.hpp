@@ -1,11 +1,10 @@
 // Runs the program device_child under a given environment.
 #pragma once
 
-#include <sys/types.h>
-
-#include <map>
 #include <string>
 #include <vector>
+
+#include "tests/support/child_process.hpp"
 
 namespace morphcl::testing {
 
@@ -17,26 +16,19 @@ struct ChildResult {
   std::string value(const std::string& name) const;
 };
 
-// Variables that the child sees beside PATH, HOME and TMPDIR; nothing else of this process's environment is passed on.
-using Environment = std::map<std::string, std::string>;
+// What a child that opens a device is given: of this process's variables it sees PATH, HOME and TMPDIR only, so that
+// what the test names is all that decides.
+test_support::ProcessOptions device_options(const test_support::Environment& environment);
 
-// A child under way; wait() must be called once.
-class ChildProcess {
- public:
-  ChildProcess(const std::vector<std::string>& command, const Environment& environment);
-  ChildResult wait();
-
- private:
-  pid_t pid_;
-  int output_;
-};
+ChildResult result_of(test_support::ChildProcess& child);
+ChildResult run_child(const std::vector<std::string>& command, const test_support::Environment& environment);
 
 // device_child with these arguments, to its end.
-ChildResult run_device_child(const std::vector<std::string>& arguments, const Environment& environment);
+ChildResult run_device_child(const std::vector<std::string>& arguments, const test_support::Environment& environment);
 
 std::vector<std::string> device_child_command(const std::vector<std::string>& arguments);
 
 // The kernel cache of this process for a child that need not start cold, or none.
-Environment warm_cache();
+test_support::Environment warm_cache();
 
 }  // namespace morphcl::testing
