@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <random>
 
 namespace morphcl::accuracy {
 
@@ -56,21 +55,5 @@ inline double ulp(double exact, int bits) {
 }
 inline double ulp32(const Real& exact) { return ulp(static_cast<double>(exact), 24); }
 inline double ulp64(const Real& exact) { return ulp(static_cast<double>(exact), 53); }
-
-// Uniform numbers from a fixed seed, the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-  }
-  float float_in(double low, double high) { return static_cast<float>(in(low, high)); }
-  long long integer_in(long long low, long long high) {
-    return low + static_cast<long long>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 }  // namespace morphcl::accuracy

@@ -8,9 +8,12 @@
 #include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/math/reference.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::accuracy {
 namespace {
+
+using test_support::Random;
 
 // A pair of unit quaternions of fp32, `angle` apart as 4-vectors.
 struct Pair {

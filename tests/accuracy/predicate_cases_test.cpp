@@ -6,9 +6,12 @@
 #include "morphcl/predicates.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::accuracy {
 namespace {
+
+using test_support::Random;
 
 using Rational = boost::multiprecision::cpp_rational;
 

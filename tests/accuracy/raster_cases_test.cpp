@@ -16,6 +16,7 @@
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::accuracy {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 using reference::ClipPoint;
 using reference::Corner;
 using test::SceneBuilder;
+using test_support::Random;
 
 FramePlan perspective_plan(int width, int height) {
   static Scene scene = [] {

@@ -11,9 +11,12 @@
 #include "tests/accuracy/exact_value.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/math/reference.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::accuracy {
 namespace {
+
+using test_support::Random;
 
 const Real pi = boost::math::constants::pi<Real>();
 double to_degrees(float radians) { return static_cast<double>(Real(Real(radians) * 180 / pi)); }

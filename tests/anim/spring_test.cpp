@@ -8,11 +8,13 @@
 
 #include "tests/anim/spring_reference.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 struct Case {
   Spring spring;

@@ -8,11 +8,13 @@
 #include "tests/anim/spring_reference.hpp"
 #include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 constexpr std::int64_t second_ticks = 24 * 1'000'000, frame_ticks = 1'000'000;
 

@@ -9,12 +9,14 @@
 #include "anim/vibration_modes.hpp"
 #include "tests/anim/chain_reference.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::stiff_chain;
 using reference::u64;
+using test_support::Random;
 
 Displacements random_displacements(Random& random, std::size_t count) {
   Displacements x;

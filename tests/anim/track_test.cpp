@@ -6,11 +6,13 @@
 
 #include "tests/anim/value_at.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 constexpr std::int64_t second = 1000;  // ticks
 

@@ -7,29 +7,15 @@
 #include <cmath>
 #include <type_traits>
 
+#include "lab/accuracy/random.hpp"
+
 namespace morphcl::testing {
 
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood 2014).
-class Sequence {
- public:
-  explicit Sequence(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_;
-};
-
-double draw(Sequence& sequence, Family family, double close) {
-  const double value = 2 * sequence.unit() - 1;
-  if (family == Family::wide) return std::ldexp(value, static_cast<int>(40 * sequence.unit()) - 20);
+double draw(accuracy::Random& random, Family family, double close) {
+  const double value = 2 * random.uniform(0, 1) - 1;
+  if (family == Family::wide) return std::ldexp(value, static_cast<int>(40 * random.uniform(0, 1)) - 20);
   return family == Family::cancelling ? 1 + close * value : value;
 }
 
@@ -78,11 +64,11 @@ Real Batch<Real>::at(std::size_t vertex, std::size_t axis) const {
 
 template <class Real>
 Batch<Real> make_batch(VertexLayout layout, std::size_t count, Family family, std::uint64_t seed) {
-  Sequence sequence(seed);
+  accuracy::Random random(seed);
   Batch<Real> batch(layout, count);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      batch.at(i, axis) = static_cast<Real>(draw(sequence, family, close_to_one<Real>));
+      batch.at(i, axis) = static_cast<Real>(draw(random, family, close_to_one<Real>));
     if (layout == VertexLayout::xyzw) batch.at(i, 3) = static_cast<Real>(i) - Real{7};
   }
   return batch;
@@ -124,20 +110,20 @@ std::vector<ProjectiveRows<Real>> make_projective_palette(std::size_t count) {
 }
 
 std::vector<std::uint32_t> make_indices(std::size_t count, std::size_t matrix_count) {
-  Sequence sequence(count);
+  accuracy::Random random(count);
   std::vector<std::uint32_t> indices(count);
-  for (auto& index : indices) index = static_cast<std::uint32_t>(sequence.next() % matrix_count);
+  for (auto& index : indices) index = static_cast<std::uint32_t>(random.bits() % matrix_count);
   return indices;
 }
 
 template <class Real>
 Blend<Real> make_blend(std::size_t count, std::size_t matrix_count) {
-  Sequence sequence(count + 1);
+  accuracy::Random random(count + 1);
   Blend<Real> blend;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<std::uint16_t, 4> matrices;
-    for (auto& matrix : matrices) matrix = static_cast<std::uint16_t>(sequence.next() % matrix_count);
-    const auto a = static_cast<Real>(sequence.unit()), b = static_cast<Real>(sequence.unit() - 0.5);
+    for (auto& matrix : matrices) matrix = static_cast<std::uint16_t>(random.bits() % matrix_count);
+    const auto a = static_cast<Real>(random.uniform(0, 1)), b = static_cast<Real>(random.uniform(0, 1) - 0.5);
     blend.matrices.push_back(matrices);
     blend.weights.push_back({a, b, 1 - a - b, i % 3 == 0 ? Real{0} : Real(0.125)});
   }

@@ -8,17 +8,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "lab/accuracy/random.hpp"
+
 namespace morphcl::image_test {
 
 namespace {
-
-// The generator splitmix64.
-std::uint64_t next_random(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
 
 template <class T>
 std::string row_difference(const char* name, int y, std::span<const T> expected, std::span<const T> actual) {
@@ -35,9 +29,10 @@ std::string row_difference(const char* name, int y, std::span<const T> expected,
 
 FrameBuffer arbitrary_frame(int width, int height, bool color, bool depth, std::uint64_t seed) {
   FrameBuffer frame(width, height, color, depth);
+  accuracy::Random random(seed);
   std::byte* const memory = frame.data();
   for (std::size_t i = 0; i < frame.bytes(); i += 2) {
-    const auto bits = static_cast<std::uint16_t>(next_random(seed));
+    const auto bits = static_cast<std::uint16_t>(random.bits());
     std::memcpy(memory + i, &bits, sizeof bits);
   }
   return frame;

@@ -3,9 +3,12 @@
 #include <limits>
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
+
+using test_support::Random;
 
 // Correctly rounded; the reference itself is within 2^-50 ulp.
 constexpr double sin_cos_ulp = 0.5 + 0x1p-50;

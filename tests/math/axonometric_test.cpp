@@ -1,11 +1,13 @@
 #include "morphcl/camera.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 constexpr double component_bound = 8 * u64;
 

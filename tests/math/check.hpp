@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <random>
 #include <string>
 
 #include "morphcl/error.hpp"
@@ -64,18 +63,5 @@ void expect_error(Action action, ErrorKind kind, const std::string& part) {
         << "expected \"" << part << "\" in: " << error.what();
   }
 }
-
-// Uniform numbers from a fixed seed, the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-  }
-  glm::dvec3 vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 }  // namespace morphcl

@@ -3,11 +3,13 @@
 #include <limits>
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 double row_sum_norm(const glm::dmat4& m) {
   double norm = 0;

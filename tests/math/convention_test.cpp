@@ -5,12 +5,14 @@
 #include "morphcl/projection.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::infinity;
 using reference::u64;
+using test_support::Random;
 
 constexpr std::pair<const char*, Convention> conventions[] = {
     {"column_right_handed", column_right_handed},

@@ -1,11 +1,13 @@
 #include "morphcl/transform.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 // Axes within 16u, three products and two sums to take apart, as many to put together.
 constexpr double decompose_bound = 3 * (16 + 16 + 6) * u64;

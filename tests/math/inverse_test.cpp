@@ -1,11 +1,13 @@
 #include "morphcl/transform.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 glm::dmat4 random_affine(Random& random, double size) {
   glm::dmat4 m(1.0);

@@ -1,11 +1,13 @@
 #include "morphcl/camera.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 // x axis: Kahan cross 2u, its low part 1u, normalisation 3.5u; z axis 4.5u; their cross product adds up and 2u more.
 constexpr double axis_bound = 16 * u64;

@@ -1,12 +1,14 @@
 #include "morphcl/projection.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::infinity;
 using reference::u64;
+using test_support::Random;
 
 TEST(Oblique, CavalierAndCabinetFactors) {
   EXPECT_EQ(oblique_factor(45), cavalier_factor);

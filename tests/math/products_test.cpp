@@ -5,11 +5,13 @@
 #include "morphcl/numerics.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 // Jeannerod, Louvet and Muller 2013.
 constexpr double kahan_bound = 2 * u64;

@@ -1,12 +1,14 @@
 #include "morphcl/projection.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::infinity;
 using reference::u64;
+using test_support::Random;
 
 // Tangent of two values of 1 ulp (2u relative), their quotient, and the division by the aspect; less for the others.
 constexpr double entry_bound = 8 * u64;

@@ -1,12 +1,14 @@
 #include "morphcl/rotation.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::Quaternion;
 using reference::u64;
+using test_support::Random;
 
 glm::dquat make(const Quaternion& q) { return {q[3], q[0], q[1], q[2]}; }
 Quaternion components(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }

@@ -6,11 +6,13 @@
 #include "morphcl/numerics.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 // The unit axis carries 4.5u, the versine 2u, the sine 1u; the largest sum over all axes and angles is below 16u.
 constexpr double rotation_bound = 16 * u64;

@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 // The largest error of an entry of the upper 3x3 against the exact rotation.
 double error_of(const glm::dmat4& computed, const glm::dvec3& from, const glm::dvec3& to, double degrees) {

@@ -1,12 +1,14 @@
 #include "morphcl/transform_2d.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::infinity;
 using reference::u64;
+using test_support::Random;
 
 glm::dvec2 apply(const glm::dmat3& m, const glm::dvec2& p) { return glm::dvec2(m * glm::dvec3(p, 1)); }
 

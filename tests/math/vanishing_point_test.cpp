@@ -5,11 +5,13 @@
 #include "morphcl/camera.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 const Perspective lens{90, 0.1, std::numeric_limits<double>::infinity()};
 

@@ -3,11 +3,13 @@
 #include <limits>
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
 
 using reference::u64;
+using test_support::Random;
 
 const Viewport whole_image{0, 0, 640, 480};
 

@@ -1,9 +1,12 @@
 #include "morphcl/projection.hpp"
 
 #include "tests/math/check.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
+
+using test_support::Random;
 
 void expect_window(const FittedWindow& actual, const Window& expected, ChangedAxis changed) {
   EXPECT_EQ(actual.window.left, expected.left);

@@ -6,9 +6,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "tests/math/reference.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -41,14 +41,14 @@ class LogUniform {
   LogUniform(const DepthRange& range, unsigned seed)
       : range_(range), far_(std::isinf(range.far) ? 1e9 : range.far), random_(seed) {}
   double operator()() {
-    const double u = std::ldexp(static_cast<double>(random_() >> 11), -53);
+    const double u = random_.in(0, 1);
     return range_.parallel ? range_.near + u * (far_ - range_.near) : range_.near * std::pow(far_ / range_.near, u);
   }
 
  private:
   DepthRange range_;
   double far_;
-  std::mt19937_64 random_;
+  test_support::Random random_;
 };
 
 TEST(DepthFormat, StoresTheExactValueRoundedToNearest) {

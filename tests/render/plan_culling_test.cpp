@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "anim/timeline_at.hpp"
 #include "host/render/frame/frame_plan.hpp"
@@ -13,23 +12,14 @@
 #include "morphcl/solids.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::test {
 namespace {
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double number(double reach = 1) { return std::uniform_real_distribution<double>(-reach, reach)(engine_); }
-  glm::dvec3 vector(double reach = 1) { return {number(reach), number(reach), number(reach)}; }
-  bool one_in(unsigned n) { return engine_() % n == 0; }
-  unsigned below(unsigned n) { return static_cast<unsigned>(engine_() % n); }
+using test_support::Random32;
 
- private:
-  std::mt19937 engine_;
-};
-
-HalfSpaces view_from(const glm::dvec3& eye, Random& random, const Projection& projection) {
+HalfSpaces view_from(const glm::dvec3& eye, Random32& random, const Projection& projection) {
   CompositeTransform turn;
   turn.rotate_about_axis({0, 0, 0}, random.vector() + glm::dvec3(0, 0, 1.5), 180 * random.number());
   const ViewVolume volume = make_view_volume(projection, 160, 90);
@@ -39,7 +29,7 @@ HalfSpaces view_from(const glm::dvec3& eye, Random& random, const Projection& pr
 }
 
 TEST(ObjectTree, FindsWhatIsNotOutsideAndNothingElse) {
-  Random random(1);
+  Random32 random(1);
   for (const unsigned count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 3000u}) {
     std::vector<std::optional<BoundedBox>> boxes;
     for (unsigned i = 0; i < count; ++i) {
@@ -84,7 +74,7 @@ TEST(ObjectTree, KeepsObjectsApartThatShareOnePlace) {
   for (std::size_t i = 0; i < objects.size(); ++i) EXPECT_EQ(objects[i], i);
 }
 
-Track random_track(Random& random, int width, bool rotation, double reach) {
+Track random_track(Random32& random, int width, bool rotation, double reach) {
   const auto kind = static_cast<Interpolation>(random.below(3));
   const int keys = 2 + static_cast<int>(random.below(3));
   std::vector<std::int64_t> ticks;
@@ -99,7 +89,7 @@ Track random_track(Random& random, int width, bool rotation, double reach) {
 
 // Chains of few nodes with few tracks keep the bounds tight, so that each part of them is needed somewhere.
 TEST(BoundsOverTime, HoldTheObjectAtEveryFrame) {
-  Random random(5);
+  Random32 random(5);
   int still = 0, moving = 0;
   for (int trial = 0; trial < 600; ++trial) {
     Timeline timeline;
@@ -175,7 +165,7 @@ TEST(WeightRanges, FollowTheLastTrackOfATarget) {
 
 // A frame's plan does not depend on the frames that were planned before it, nor on when it is made.
 TEST(Planner, PlansAFrameTheSameWheneverItIsAskedTo) {
-  Random random(9);
+  Random32 random(9);
   SceneBuilder b(160, 90);
   for (int i = 0; i < 300; ++i) {
     b.add(make_pyramid_to_cube(), Shading::flat, place(random.vector(8), 0.004));
