@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "demos/viewer/font.hpp"
+#include "host/image/font.hpp"
 
 namespace morphcl::viewer {
 namespace {
@@ -16,28 +16,15 @@ struct Box {
   int left, top, right, bottom;  // half-open, pixels
 };
 
-template <typename Change>
-void for_each_pixel(RgbImage& picture, const Box& box, Change change) {
+void darken(RgbImage& picture, const Box& box) {
+  constexpr int part = 4;  // the picture shines through
   const int right = std::min(box.right, picture.width), bottom = std::min(box.bottom, picture.height);
   for (int y = box.top; y < bottom; ++y) {
-    for (int x = box.left; x < right; ++x) change(picture.at(x, y));
-  }
-}
-
-void darken(Rgb& pixel) {
-  constexpr int part = 4;  // the picture shines through
-  pixel.red /= part;
-  pixel.green /= part;
-  pixel.blue /= part;
-}
-
-void draw_character(char character, int left, int top, int dot, RgbImage& picture) {
-  for (int y = 0; y < kGlyphHeight; ++y) {
-    for (int x = 0; x < kGlyphWidth; ++x) {
-      if (!glyph_dot(character, x, y)) continue;
-      const int dot_left = left + x * dot, dot_top = top + y * dot;
-      for_each_pixel(picture, {dot_left, dot_top, dot_left + dot, dot_top + dot},
-                     [](Rgb& pixel) { pixel = {255, 255, 255}; });
+    for (int x = box.left; x < right; ++x) {
+      Rgb& pixel = picture.at(x, y);
+      pixel.red /= part;
+      pixel.green /= part;
+      pixel.blue /= part;
     }
   }
 }
@@ -55,22 +42,18 @@ std::vector<std::string> help_lines(const DemoLimits& limits) {
 void draw_text_box(const std::vector<std::string>& lines, RgbImage& picture) {
   int columns = 0;
   for (const std::string& line : lines) columns = std::max(columns, static_cast<int>(line.size()));
-  const int width = columns * kGlyphAdvance + 2 * kMargin;  // dots
-  const int height = static_cast<int>(lines.size()) * kLineAdvance + 2 * kMargin;
+  const int width = columns * glyph_advance + 2 * kMargin;  // dots
+  const int height = static_cast<int>(lines.size()) * line_advance + 2 * kMargin;
   // Half of the width at most, where a dot is not a single pixel already: the picture is what one came for.
   const int fitting = std::min(picture.width / 2 / (width + kMargin), picture.height / (height + 2 * kMargin));
   const int dot = std::clamp(fitting, 1, kLargestDot);
 
   const int corner = kMargin * dot;
-  for_each_pixel(picture, {corner, corner, corner + width * dot, corner + height * dot}, darken);
+  darken(picture, {corner, corner, corner + width * dot, corner + height * dot});
   int top = corner + kMargin * dot;
   for (const std::string& line : lines) {
-    int left = corner + kMargin * dot;
-    for (const char character : line) {
-      draw_character(character, left, top, dot, picture);
-      left += kGlyphAdvance * dot;
-    }
-    top += kLineAdvance * dot;
+    draw_text(picture, corner + kMargin * dot, top, dot, line, {255, 255, 255});
+    top += line_advance * dot;
   }
 }
 

@@ -27,7 +27,7 @@ ContactSheet::Layout ContactSheet::layout_of(std::size_t cells, PictureSize fram
   Layout layout;
   const int box = thumbnail_box(cells);
   layout.thumbnail = fitted_size(frame, {box, box});
-  layout.digit_scale = box > 192 ? 2 : 1;
+  layout.label_scale = box > 192 ? 2 : 1;
   const int count = static_cast<int>(cells);
   const double columns = std::sqrt(count * sheet_proportion * layout.cell_height() / layout.cell_width());
   layout.rows = (count - 1) / std::clamp(static_cast<int>(std::lround(columns)), 1, count) + 1;
@@ -58,8 +58,8 @@ int ContactSheet::cell_of(std::int64_t frame) const {
 }
 
 void ContactSheet::draw_label(int cell, Rgb color) {
-  draw_digits(image_, left_of(cell), top_of(cell) + layout_.thumbnail.height + layout_.gap / 2, layout_.digit_scale,
-              std::to_string(frames_[static_cast<std::size_t>(cell)]), color);
+  draw_text(image_, left_of(cell), top_of(cell) + layout_.thumbnail.height + layout_.gap / 2, layout_.label_scale,
+            std::to_string(frames_[static_cast<std::size_t>(cell)]), color);
 }
 
 }  // namespace morphcl

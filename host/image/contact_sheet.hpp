@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/image/digits.hpp"
+#include "host/image/font.hpp"
 #include "host/image/thumbnail.hpp"
 
 namespace morphcl {
@@ -30,9 +30,9 @@ class ContactSheet {
  private:
   struct Layout {
     PictureSize thumbnail;
-    int columns = 1, rows = 1, digit_scale = 1, gap = 8;
+    int columns = 1, rows = 1, label_scale = 1, gap = 8;
     int cell_width() const { return thumbnail.width + gap; }
-    int label_height() const { return digit_height * digit_scale + gap / 2; }
+    int label_height() const { return glyph_height * label_scale + gap / 2; }
     int cell_height() const { return thumbnail.height + label_height() + gap; }
   };
   static Layout layout_of(std::size_t cells, PictureSize frame);

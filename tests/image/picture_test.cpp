@@ -1,4 +1,4 @@
-// Thumbnails, digits, contact sheets and their PNG files.
+// Thumbnails, the font, contact sheets and their PNG files.
 #include <gtest/gtest.h>
 #include <half.h>
 #include <png.h>
@@ -113,8 +113,8 @@ TEST(Thumbnail, NansAndInfinitiesStayInTheirPixel) {
 TEST(Thumbnail, FrameWithoutColourIsRefused) { EXPECT_THROW(thumbnail(FrameBuffer(4, 4, false, true), {2, 2}), Error); }
 
 std::string drawn(std::string_view text, int width) {
-  RgbImage image(width, digit_height, {0, 0, 0});
-  draw_digits(image, 0, 0, 1, text, {255, 255, 255});
+  RgbImage image(width, glyph_height, {0, 0, 0});
+  draw_text(image, 0, 0, 1, text, {255, 255, 255});
   std::string rows;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < width; ++x) rows += image.at(x, y).red ? '#' : '.';
@@ -123,7 +123,7 @@ std::string drawn(std::string_view text, int width) {
   return rows;
 }
 
-TEST(Digits, AreReadable) {
+TEST(Font, DigitsAreReadable) {
   EXPECT_EQ(drawn("-17", 18),
             "........#...#####.\n"
             ".......##.......#.\n"
@@ -133,14 +133,23 @@ TEST(Digits, AreReadable) {
             "........#....#....\n"
             ".......###...#....\n");
   std::set<std::string> all;
-  for (const char* c : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "-"}) all.insert(drawn(c, digit_width));
+  for (const char* c : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "-"}) all.insert(drawn(c, glyph_width));
   EXPECT_EQ(all.size(), 11u);
 }
 
-TEST(Digits, OutsideOfTheImageIsLeftOut) {
+TEST(Font, IsBlankOutsideItsCellsAndForOtherCharacters) {
+  for (const char character : {' ', '\n', '\xff', '#'})
+    EXPECT_EQ(drawn({&character, 1}, glyph_width).find('#'), std::string::npos);
+  EXPECT_FALSE(glyph_dot('H', -1, 0));
+  EXPECT_FALSE(glyph_dot('H', glyph_width, 0));
+  EXPECT_FALSE(glyph_dot('H', 0, glyph_height));
+  EXPECT_TRUE(glyph_dot('h', 0, 0));
+}
+
+TEST(Font, OutsideOfTheImageIsLeftOut) {
   RgbImage image(3, 3, {9, 9, 9});
-  draw_digits(image, -4, -4, 3, "88888", {255, 0, 0});
-  draw_digits(image, 100, 100, 2, "1", {255, 0, 0});
+  draw_text(image, -4, -4, 3, "88888", {255, 0, 0});
+  draw_text(image, 100, 100, 2, "1", {255, 0, 0});
   EXPECT_EQ(image.pixels.size(), 9u);
 }
 
