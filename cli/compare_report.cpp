@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/console.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "cli/table.hpp"
 #include "lab/frame_error/difference_files.hpp"
 #include "morphcl/error.hpp"
@@ -65,29 +65,34 @@ void print_objects(const FrameDifference& d) {
                              objects.size() - max_objects));
 }
 
-void add_error(JsonLine& line, const std::string& what, const ErrorByCause& error) {
-  line.add(what + "_max", error.all.largest).add(what + "_rms", error.all.rms());
-  line.add(what + "_storage_max", error.storage.largest).add(what + "_storage_rms", error.storage.rms());
-  line.add(what + "_arithmetic_max", error.arithmetic.largest).add(what + "_arithmetic_rms", error.arithmetic.rms());
+void add_error(Json& object, const std::string& what, const ErrorByCause& error) {
+  object.update({{what + "_max", error.all.largest},
+                 {what + "_rms", error.all.rms()},
+                 {what + "_storage_max", error.storage.largest},
+                 {what + "_storage_rms", error.storage.rms()},
+                 {what + "_arithmetic_max", error.arithmetic.largest},
+                 {what + "_arithmetic_rms", error.arithmetic.rms()}});
 }
 
 std::string json(const char* type, const FrameDifference& d, const Differences& part) {
-  JsonLine line(type);
-  line.add("frame", d.frame).add("truth", accuracy::name_of(d.truth));
-  if (&part != &d.total) line.add("object", part.name);
-  line.add("pixels", part.pixels).add("outline", part.outline).add("edge", part.edge).add("order", part.order);
-  line.add("widest_gap", part.widest_gap);
+  Json line = json_object(type, {{"frame", d.frame}, {"truth", accuracy::name_of(d.truth)}});
+  if (&part != &d.total) line["object"] = part.name;
+  line.update({{"pixels", part.pixels},
+               {"outline", part.outline},
+               {"edge", part.edge},
+               {"order", part.order},
+               {"widest_gap", part.widest_gap}});
   if (d.has_color) {
     add_error(line, "color", part.color);
     add_error(line, "color_spacings", part.color_spacing);
-    line.add("color_not_finite", part.color.all.not_finite).add("other_color", part.other_color);
+    line.update({{"color_not_finite", part.color.all.not_finite}, {"other_color", part.other_color}});
   }
   if (d.has_depth) {
     add_error(line, "depth", part.depth);
     add_error(line, "depth_spacings", part.depth_spacing);
-    line.add("depth_not_finite", part.depth.all.not_finite).add("other_depth", part.other_depth);
+    line.update({{"depth_not_finite", part.depth.all.not_finite}, {"other_depth", part.other_depth}});
   }
-  return line.str();
+  return line_of(line);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "cli/table.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/session.hpp"
@@ -30,12 +30,18 @@ std::string verdict_text(const DeviceInfo& device, int threads) {
 std::string mebibyte_text(std::size_t bytes) { return fmt::format("{} MiB", bytes >> 20); }
 
 void print_json(const DeviceInfo& device, const std::string& verdict) {
-  JsonLine line("device");
-  line.add("index", device.index).add("name", device.name).add("vendor", device.vendor);
-  line.add("platform", device.platform).add("driver_version", device.driver_version).add("cpu", device.is_cpu);
-  line.add("compute_units", static_cast<std::int64_t>(device.compute_units)).add("fp64", device.fp64);
-  line.add("global_memory_bytes", device.global_memory).add("largest_allocation_bytes", device.max_allocation);
-  print_result(line.add("local_memory_bytes", device.local_memory).add("verdict", verdict).str());
+  print_result(line_of(json_object("device", {{"index", device.index},
+                                              {"name", device.name},
+                                              {"vendor", device.vendor},
+                                              {"platform", device.platform},
+                                              {"driver_version", device.driver_version},
+                                              {"cpu", device.is_cpu},
+                                              {"compute_units", device.compute_units},
+                                              {"fp64", device.fp64},
+                                              {"global_memory_bytes", device.global_memory},
+                                              {"largest_allocation_bytes", device.max_allocation},
+                                              {"local_memory_bytes", device.local_memory},
+                                              {"verdict", verdict}})));
 }
 }  // namespace
 

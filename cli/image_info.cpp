@@ -2,7 +2,7 @@
 
 #include "cli/console.hpp"
 #include "cli/info_command.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "cli/table.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
@@ -29,19 +29,20 @@ void print_table(const ExrDescription& header, const ExrFrame& image) {
 }
 
 void print_json(const std::string& path, const ExrDescription& header, const ExrFrame& image) {
-  JsonLine line("image");
-  line.add("path", path).add("parts", header.parts).add("compression", header.compression);
-  line.add("data_window", window_text(header.data_window)).add("display_window", window_text(header.display_window));
-  line.add("stored_hash", image.stored_hash).add("hash", image.hash).add("frame", image.attributes.frame);
-  print_result(line.add("fingerprint", image.attributes.fingerprint).str());
+  print_result(line_of(json_object("image", {{"path", path},
+                                             {"parts", header.parts},
+                                             {"compression", header.compression},
+                                             {"data_window", window_text(header.data_window)},
+                                             {"display_window", window_text(header.display_window)},
+                                             {"stored_hash", image.stored_hash},
+                                             {"hash", image.hash},
+                                             {"frame", image.attributes.frame},
+                                             {"fingerprint", image.attributes.fingerprint}})));
   for (const ExrChannel& channel : header.channels)
-    print_result(JsonLine("channel").add("name", channel.name).add("pixels", channel.type).str());
+    print_result(line_of(json_object("channel", {{"name", channel.name}, {"pixels", channel.type}})));
   for (const ExrAttribute& attribute : header.attributes)
-    print_result(JsonLine("attribute")
-                     .add("name", attribute.name)
-                     .add("of", attribute.type)
-                     .add("value", attribute.value)
-                     .str());
+    print_result(line_of(
+        json_object("attribute", {{"name", attribute.name}, {"of", attribute.type}, {"value", attribute.value}})));
 }
 }  // namespace
 

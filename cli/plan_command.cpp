@@ -4,7 +4,7 @@
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "cli/table.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/explain.hpp"
@@ -28,17 +28,20 @@ std::optional<std::size_t> allocation_limit() try {
 }
 
 void print_json(const PlanReport& report, const std::string& exceeded) {
-  for (const PlanNote& note : report.notes) {
-    JsonLine line("plan");
-    line.add("frame", report.plan.frame()).add("item", note.item).add("done", note.done).add("reason", note.reason);
-    line.add("estimated_ms", note.milliseconds);
-    print_result(line.add("share", note.milliseconds / report.milliseconds).str());
-  }
-  JsonLine line("plan_total");
-  line.add("frame", report.plan.frame()).add("estimated_ms", report.milliseconds);
-  line.add("mesh_bytes", report.memory.meshes).add("vertex_bytes", report.memory.vertices);
-  line.add("bin_bytes", report.memory.bins).add("pixel_bytes", report.memory.pixels);
-  print_result(line.add("exceeds_device", exceeded).str());
+  for (const PlanNote& note : report.notes)
+    print_result(line_of(json_object("plan", {{"frame", report.plan.frame()},
+                                              {"item", note.item},
+                                              {"done", note.done},
+                                              {"reason", note.reason},
+                                              {"estimated_ms", note.milliseconds},
+                                              {"share", note.milliseconds / report.milliseconds}})));
+  print_result(line_of(json_object("plan_total", {{"frame", report.plan.frame()},
+                                                  {"estimated_ms", report.milliseconds},
+                                                  {"mesh_bytes", report.memory.meshes},
+                                                  {"vertex_bytes", report.memory.vertices},
+                                                  {"bin_bytes", report.memory.bins},
+                                                  {"pixel_bytes", report.memory.pixels},
+                                                  {"exceeds_device", exceeded}})));
 }
 
 void print_table(const Scene& scene, const PlanReport& report, const std::string& exceeded) {

@@ -6,7 +6,7 @@
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl::cli {
@@ -55,17 +55,18 @@ void RenderReport::frame(const FrameResult& result) {
   bar_.advance(result.status == Status::rendered || result.status == Status::copied);
   if (result.status == Status::failed) bar_.message(result.error);
   if (!settings_.json) return;
-  JsonLine line("frame");
-  line.add("frame", result.frame).add("status", status_name(result.status)).add("path", result.path);
+  Json frame =
+      json_object("frame", {{"frame", result.frame}, {"status", status_name(result.status)}, {"path", result.path}});
   if (result.status == Status::failed)
-    line.add("error", result.error).add("code", result.error_code);
+    frame.update({{"error", result.error}, {"code", result.error_code}});
   else
-    line.add("hash", result.hash).add("milliseconds", result.milliseconds);
-  print_result(line.str());
+    frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}});
+  print_result(line_of(frame));
   if (settings_.quiet) return;
-  JsonLine progress("progress");
-  progress.add("done", bar_.done()).add("total", total_).add("frames_per_second", bar_.frames_per_second());
-  print_progress(progress.add("seconds_left", bar_.seconds_left()).str());
+  print_progress(line_of(json_object("progress", {{"done", bar_.done()},
+                                                  {"total", total_},
+                                                  {"frames_per_second", bar_.frames_per_second()},
+                                                  {"seconds_left", bar_.seconds_left()}})));
 }
 
 int RenderReport::finish(const JobResult& result) {
@@ -83,11 +84,16 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
   const std::size_t kept = count_of(result, Status::kept), failed = count_of(result, Status::failed);
   const double speed = seconds > 0 ? static_cast<double>(rendered + copied) / seconds : 0.0;
   if (settings_.json) {
-    JsonLine line("summary");
-    line.add("device", settings_.device).add("total", total_).add("rendered", rendered).add("kept", kept);
-    line.add("copied", copied);
-    line.add("failed", failed).add("interrupted", result.interrupted).add("seconds", seconds);
-    print_result(line.add("frames_per_second", speed).add("code", exit_code(result)).str());
+    print_result(line_of(json_object("summary", {{"device", settings_.device},
+                                                 {"total", total_},
+                                                 {"rendered", rendered},
+                                                 {"kept", kept},
+                                                 {"copied", copied},
+                                                 {"failed", failed},
+                                                 {"interrupted", result.interrupted},
+                                                 {"seconds", seconds},
+                                                 {"frames_per_second", speed},
+                                                 {"code", exit_code(result)}})));
     return;
   }
   if (settings_.quiet || rendered + copied + kept == 0) return;

@@ -6,7 +6,7 @@
 #include "cli/camera_info.hpp"
 #include "cli/console.hpp"
 #include "cli/info_command.hpp"
-#include "cli/json_line.hpp"
+#include "cli/json_object.hpp"
 #include "cli/object_info.hpp"
 #include "cli/table.hpp"
 #include "morphcl/error.hpp"
@@ -58,29 +58,35 @@ NodeSampler first_nodes(const Scene& scene) {
 }
 
 void print_json(const Scene& scene) {
-  JsonLine line("scene");
-  line.add("name", scene.name).add("width", scene.image.width).add("height", scene.image.height);
-  line.add("compression", scene.image.compression).add("frames", range_text(scene.frames));
-  line.add("fps", fps_text(scene.timeline.time)).add("objects", scene.objects.size());
-  line.add("nodes", scene.timeline.nodes.size()).add("lights", scene.timeline.lights.size());
   const CameraInfo camera = describe_camera(scene);
-  line.add("projection", camera.projection).add("window", camera.window);
-  line.add("vanishing_points", camera.vanishing_points);
-  print_result(line.add("content_hash", scene.content_hash).str());
-  for (const Mesh& mesh : scene.meshes) {
-    JsonLine row("mesh");
-    row.add("name", mesh.name).add("vertices", mesh.positions.size()).add("triangles", mesh.triangles.size());
-    row.add("normals", !mesh.normals.empty()).add("colors", !mesh.colors.empty());
-    print_result(row.add("targets", mesh.targets.size()).add("target_names", target_names(mesh)).str());
-  }
+  print_result(line_of(json_object("scene", {{"name", scene.name},
+                                             {"width", scene.image.width},
+                                             {"height", scene.image.height},
+                                             {"compression", scene.image.compression},
+                                             {"frames", range_text(scene.frames)},
+                                             {"fps", fps_text(scene.timeline.time)},
+                                             {"objects", scene.objects.size()},
+                                             {"nodes", scene.timeline.nodes.size()},
+                                             {"lights", scene.timeline.lights.size()},
+                                             {"projection", camera.projection},
+                                             {"window", camera.window},
+                                             {"vanishing_points", camera.vanishing_points},
+                                             {"content_hash", scene.content_hash}})));
+  for (const Mesh& mesh : scene.meshes)
+    print_result(line_of(json_object("mesh", {{"name", mesh.name},
+                                              {"vertices", mesh.positions.size()},
+                                              {"triangles", mesh.triangles.size()},
+                                              {"normals", !mesh.normals.empty()},
+                                              {"colors", !mesh.colors.empty()},
+                                              {"targets", mesh.targets.size()},
+                                              {"target_names", target_names(mesh)}})));
   NodeSampler nodes = first_nodes(scene);
-  for (const Object& object : scene.objects) {
-    JsonLine row("object");
-    row.add("name", object.name).add("mesh", scene.meshes[object.mesh].name);
-    row.add("shading", std::string(shading_name(object.material.shading)));
-    print_result(row.add("placement", describe_placement(object, nodes)).str());
-  }
-  for (const std::string& warning : scene.warnings) print_result(JsonLine("warning").add("text", warning).str());
+  for (const Object& object : scene.objects)
+    print_result(line_of(json_object("object", {{"name", object.name},
+                                                {"mesh", scene.meshes[object.mesh].name},
+                                                {"shading", shading_name(object.material.shading)},
+                                                {"placement", describe_placement(object, nodes)}})));
+  for (const std::string& warning : scene.warnings) print_result(line_of(json_object("warning", {{"text", warning}})));
 }
 
 void print_table(const Scene& scene) {
