@@ -24,9 +24,9 @@ TEST_F(Accuracy, PrintsATableAndWritesTheFiles) {
   EXPECT_THAT(result.out, HasSubstr("is enough"));
   EXPECT_THAT(result.out, HasSubstr("no printed digit changes"));
   EXPECT_THAT(result.out, HasSubstr("device: none"));
-  const nlohmann::json json = nlohmann::json::parse(text_of(path("out/accuracy.json")));
+  const nlohmann::json json = nlohmann::json::parse(test_support::text_of(path("out/accuracy.json")));
   EXPECT_EQ(json["operations"].size(), 2u);
-  EXPECT_THAT(text_of(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
+  EXPECT_THAT(test_support::text_of(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
 }
 
 TEST_F(Accuracy, WithoutGnuplotTheOtherFilesComeAndOneLineSaysWhatIsMissing) {
@@ -48,7 +48,7 @@ TEST_F(Accuracy, AGnuplotThatFailsLeavesThePlotsOfBefore) {
                                 {.environment = {{"PATH", path("bin")}}, .folder = folder_});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("morphcl: no plots: gnuplot failed"));
-  EXPECT_EQ(text_of(path("out/accuracy.svg")), "of before");
+  EXPECT_EQ(test_support::text_of(path("out/accuracy.svg")), "of before");
   EXPECT_EQ(files(),
             (std::set<std::string>{"bin/gnuplot", "out/accuracy.csv", "out/accuracy.json", "out/accuracy.svg"}));
 }

@@ -63,7 +63,7 @@ TEST_F(Compare, WritesPicturesAndATable) {
   const ToolResult info = run_tool({"info", path("error/shot.0002.true.exr")});
   EXPECT_EQ(info.code, 0) << info.err;
   EXPECT_THAT(info.out, HasSubstr("mask"));
-  const std::string table = text_of(path("error/shot.csv"));
+  const std::string table = test_support::text_of(path("error/shot.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5) << "header; frame and object of both truths";
 }
 

@@ -101,7 +101,7 @@ TEST_F(Render, AFrameIsWhatItsNumberSays) {
   const auto all = hashes({}, "rendered"), alone = hashes({"--frames", "3", "-o", "alone.####.exr"}, "rendered");
   ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(alone.at(3), all.at(3));
-  EXPECT_EQ(text_of(path("alone.0003.exr")), text_of(path("shot.0003.exr")));
+  EXPECT_EQ(test_support::text_of(path("alone.0003.exr")), test_support::text_of(path("shot.0003.exr")));
 }
 
 TEST_F(Render, ResumeKeepsWholeFramesAndMakesTheOthersAgain) {
@@ -147,22 +147,25 @@ TEST_F(Render, PreviewAndContactSheetAndVerify) {
   EXPECT_THAT(result.out, HasSubstr("all.png"));
   EXPECT_EQ(files(), (std::set<std::string>{"all.png", "shot.0000.exr", "shot.0000.png", "shot.0001.exr",
                                             "shot.0001.png", "shot.toml"}));
-  EXPECT_EQ(text_of(path("all.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(test_support::text_of(path("all.png")).substr(1, 3), "PNG");
 }
 
 TEST_F(Render, TheBarIsDrawnOnATerminalOnly) {
-  const ToolResult colored =
-      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", ""}}, .standard_error = StandardError::terminal});
+  const ToolResult colored = render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", ""}},
+                                         .standard_error = test_support::StandardError::terminal});
   EXPECT_THAT(colored.err, HasSubstr("5/5 frames"));
   EXPECT_THAT(colored.err, HasSubstr("frames/s"));
   EXPECT_THAT(colored.err, HasSubstr("\033[32m"));
-  const ToolResult plain =
-      render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}}, .standard_error = StandardError::terminal});
+  const ToolResult plain = render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}},
+                                       .standard_error = test_support::StandardError::terminal});
   EXPECT_THAT(plain.err, HasSubstr("5/5 frames"));
   EXPECT_THAT(plain.err, Not(HasSubstr("\033[32m")));
-  EXPECT_EQ(render({}, {.environment = {{"TERM", "dumb"}}, .standard_error = StandardError::terminal}).err, "");
-  EXPECT_EQ(render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .standard_error = StandardError::terminal}).err,
-            "");
+  EXPECT_EQ(
+      render({}, {.environment = {{"TERM", "dumb"}}, .standard_error = test_support::StandardError::terminal}).err, "");
+  EXPECT_EQ(
+      render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .standard_error = test_support::StandardError::terminal})
+          .err,
+      "");
 }
 
 TEST_F(Render, InfoRecomputesTheHashThatTheFileHolds) {

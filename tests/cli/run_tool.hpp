@@ -8,8 +8,6 @@
 
 namespace morphcl::cli_test {
 
-using test_support::ChildProcess;
-using test_support::StandardError;
 using ToolOptions = test_support::ProcessOptions;
 using ToolResult = test_support::ProcessResult;
 

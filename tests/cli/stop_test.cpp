@@ -57,7 +57,8 @@ class Stop : public ToolTest {
 
 TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
   for (int number : {SIGTERM, SIGINT, SIGUSR1}) {
-    ChildProcess process(tool_command(job("0-20000", {"-o", path(std::to_string(number)) + "/shot.#####.exr"})), {});
+    test_support::ChildProcess process(
+        tool_command(job("0-20000", {"-o", path(std::to_string(number)) + "/shot.#####.exr"})), {});
     while (files_ending_in(".exr") == 0) ASSERT_TRUE(process.wait_until_it_handles(number));
     process.signal(number);
     const ToolResult result = process.finish();
@@ -70,7 +71,7 @@ TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
 }
 
 TEST_F(Stop, AfterATermTheFinishedFramesAreWholeAndKept) {
-  ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
+  test_support::ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
   wait_for_files();
   process.signal(SIGTERM);
   EXPECT_EQ(process.finish().code, interrupted);
@@ -83,7 +84,7 @@ TEST_F(Stop, AfterATermTheFinishedFramesAreWholeAndKept) {
 
 // The frame is large, so that the process is still busy with it when the second signal comes.
 TEST_F(Stop, ASecondSignalEndsTheProcessAtOnce) {
-  ChildProcess process(tool_command(job("0-100", {"--size", "4096x4096"})), {.folder = folder_});
+  test_support::ChildProcess process(tool_command(job("0-100", {"--size", "4096x4096"})), {.folder = folder_});
   ASSERT_TRUE(process.wait_until_it_handles(SIGTERM));
   process.signal(SIGTERM);
   process.signal(SIGINT);
@@ -91,7 +92,7 @@ TEST_F(Stop, ASecondSignalEndsTheProcessAtOnce) {
 }
 
 TEST_F(Stop, KilledInTheMiddleItLeavesWholeFramesAndResumeCompletesThem) {
-  ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
+  test_support::ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
   wait_for_files();
   process.signal(SIGKILL);
   EXPECT_EQ(process.finish().code, 128 + SIGKILL);

@@ -12,8 +12,6 @@
 
 namespace morphcl::cli_test {
 
-using test_support::text_of;
-
 class ToolTest : public testing::Test {
  private:
   const test_support::TemporaryFolder temporary_;

@@ -12,9 +12,6 @@
 
 namespace morphcl::viewer_test {
 
-using test_support::ChildProcess;
-using test_support::lines_of;
-
 inline constexpr const char* kMorphDemo = MORPHCL_TEST_MORPH_DEMO;
 inline constexpr const char* kTeapots = MORPHCL_TEST_TEAPOTS;
 

@@ -25,7 +25,7 @@ class DemoWindow : public DemoProgram {
   void start(const std::string& program, std::vector<std::string> arguments, const std::string& first_title) {
     display_ = std::make_unique<VirtualDisplay>(folder_);
     arguments.insert(arguments.begin(), program);
-    demo_ = std::make_unique<ChildProcess>(arguments, options(display_->name()));
+    demo_ = std::make_unique<test_support::ChildProcess>(arguments, options(display_->name()));
     const bool started = eventually([&] {
       window_ = display_->xdotool({"search", "--name", first_title});
       return !window_.empty();
@@ -96,7 +96,7 @@ class DemoWindow : public DemoProgram {
   }
 
   std::unique_ptr<VirtualDisplay> display_;
-  std::unique_ptr<ChildProcess> demo_;  // ends before its display
+  std::unique_ptr<test_support::ChildProcess> demo_;  // ends before its display
   std::string window_;
 };
 
@@ -182,7 +182,7 @@ TEST_F(DemoWindow, AnExportThatFailsIsToldAndTheWindowStays) {
   std::filesystem::create_directory(folder_ / "morph_demo.0000.exr");  // in the file's place
   press("e");
   expect_title("frame was not written");
-  EXPECT_EQ(lines_of(demo_->err()).size(), 1u) << demo_->err();
+  EXPECT_EQ(test_support::lines_of(demo_->err()).size(), 1u) << demo_->err();
   press("k");
   expect_title("step 1 of 100");
 }
@@ -208,8 +208,9 @@ TEST_F(DemoWindow, AScriptRunsWithoutAKeyboard) {
 
 TEST_F(DemoWindow, AScriptMayEndTheProgram) {
   display_ = std::make_unique<VirtualDisplay>(folder_);
-  ChildProcess demo({kMorphDemo, "--size", "64x36", "--device", "reference", "--script", "k2,e,space,e,esc"},
-                    options(display_->name()));
+  test_support::ChildProcess demo(
+      {kMorphDemo, "--size", "64x36", "--device", "reference", "--script", "k2,e,space,e,esc"},
+      options(display_->name()));
   EXPECT_EQ(demo.wait(kProgramLimit), 0) << demo.err();
   EXPECT_EQ(demo.out(), "morph_demo.0002.exr\nmorph_demo.0100.exr\n");
 }
