@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/fitted_camera.hpp"
@@ -39,6 +40,22 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   return scene;
 }
 
+void check_options(const LoadOptions& options) {
+  const auto require = [](bool holds, const std::string& message) {
+    if (!holds) throw Error(ErrorKind::usage, "", message);
+  };
+  if (options.fps) {
+    const auto in_range = [](std::int64_t number) { return number >= 1 && number <= 1'000'000; };
+    require(in_range(options.fps->fps_numerator) && in_range(options.fps->fps_denominator),
+            fmt::format("a frame rate of {}/{} is asked for; both numbers must be 1 to 1000000",
+                        options.fps->fps_numerator, options.fps->fps_denominator));
+  }
+  for (const std::optional<int>& size : {options.width, options.height})
+    require(
+        !size || (*size >= 1 && *size <= max_image_size),
+        fmt::format("a width or height of {} is asked for; 1 to {} are possible", size.value_or(0), max_image_size));
+}
+
 Scene load(const std::string& path, const LoadOptions& options) {
   const std::string extension = lower_case_extension(path);
   const TimeBase time = options.fps.value_or(TimeBase{});
@@ -54,6 +71,7 @@ Scene load(const std::string& path, const LoadOptions& options) {
 
 Scene load_scene(const std::string& path, const LoadOptions& options) {
   try {
+    check_options(options);
     Scene scene = load(path, options);
     scene.name = std::filesystem::path(path).stem().string();
     validate(scene);

@@ -18,10 +18,8 @@
 namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- frame range ----------------------------------------------------------------------------------------------------
-//
-// Frame ranges: which frames are asked for.
 
-struct FrameRange {  // first, first + step, ... up to last
+struct FrameRange {  // first, first + step, ... up to last, which is included if it is met
   std::int64_t first = 0, last = 0, step = 1;
 };
 
@@ -33,18 +31,20 @@ constexpr std::int64_t max_frame_count = 1'000'000;
 // parts. A ':' is refused with the reason.
 std::vector<FrameRange> parse_frame_range(const std::string& text);
 
-// Every frame once, in ascending order. Error(usage): no frame, the ranges together list more than max_frame_count, or
-// |frame| > max_frame_number.
+// Every frame once, in ascending order. Error(usage): no frame, the ranges together list more than max_frame_count, a
+// step below 1, or |frame| > max_frame_number.
 std::vector<std::int64_t> frame_numbers(const std::vector<FrameRange>& ranges);
 
 // ---- scene ----------------------------------------------------------------------------------------------------------
 
+// flat: lit once a face, at its centre. smooth: lit at each pixel, with interpolated normals. Both are diffuse, see
+// Light. unlit: base colour times vertex colours. wireframe: lines one pixel wide in the base colour alone.
 enum class Shading { flat, smooth, unlit, wireframe };
 
 struct Material {
-  glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear
+  glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear; alpha is not used: what is drawn is opaque
   Shading shading = Shading::smooth;          // smooth falls back to flat on a mesh without normals
-  bool double_sided = false;                  // false: back faces are culled
+  bool double_sided = false;                  // false: back faces are culled; true: drawn, and lit from their side
 };
 
 struct Object {
@@ -52,16 +52,16 @@ struct Object {
   int mesh = 0;  // index into Scene::meshes
   int node = 0;  // index into Timeline::nodes
   Material material;
-  MorphWeights morph = {};  // one weight a target of the mesh
+  MorphWeights morph = {};  // as many weights as the mesh has targets
 };
 
 constexpr int max_image_size = 16384;
 
 struct ImageSettings {
-  int width = 1920, height = 1080;  // pixels, 1 to max_image_size
-  bool color = true;                // RGBA half
-  bool depth = true;                // Z float
-  std::string compression = "zip";
+  int width = 1920, height = 1080;                         // pixels, 1 to max_image_size
+  bool color = true;                                       // channels R, G, B, A as half
+  bool depth = true;                                       // channel Z as float; one of the two at least
+  std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
 };
 
@@ -71,40 +71,46 @@ struct Scene {
   std::vector<Object> objects;  // drawn in this order; equal depths: the earlier one wins
   Timeline timeline;
   ImageSettings image;
-  double accuracy_pixels = 0;  // vertices are to be within this of their exact places; 0: fp32 will do
-  std::vector<FrameRange> frames;
+  // The error of a vertex's place in the picture, in pixels, that plans are to keep; 0: none is stated, vertices are
+  // plain fp32. Where nothing is known to keep it the best is done, and explain() says so.
+  double accuracy_pixels = 0;
+  std::vector<FrameRange> frames;     // for run(), unless the job lists its own; empty: none
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
   std::string content_hash;           // hex xxh3-128 of every byte read for this scene; "" for one made in code
 
-  // An object with a mesh and a node of its own, placed in the world, all morph weights 0. Returns its index.
+  // An object with a mesh and a root node of its own, whose static_transform is placing.matrix(); all morph weights are
+  // 0. Returns the object's index. Error(usage) when the matrix overflows.
   int add_object(std::string object_name, Mesh mesh, const CompositeTransform& placing = {});
   // One more object of a mesh that the scene has. Error(usage) when it does not have it.
   int add_object(std::string object_name, int mesh, const CompositeTransform& placing = {});
 
   // From now on the track, of width 1, is the weight of the object's morph target of that name. Error(usage) when there
-  // is no such object or target, naming those there are, or when the track has another width.
+  // is no such object or target, naming those there are, or when the track has another width. A later track of the same
+  // target overrides an earlier one.
   void morph(int object, std::string_view target, Track track);
 };
 
 // Checks everything that renderers rely on: indices, one weight a target, finite values. Error(bad_input) with the
-// place. A planner does it once, when it takes the scene; load_scene() has done it.
+// place; Error(usage) for `frames`, as frame_numbers() has it. A planner does it once, when it takes the scene;
+// load_scene() has done it. run() checks the compression's name.
 void validate(const Scene& scene);
 
 // ---- loading --------------------------------------------------------------------------------------------------------
 
 // What the caller decides instead of the file.
 struct LoadOptions {
-  bool allow_outside = false;        // files may lie outside the folder of the file that names them
-  std::optional<TimeBase> fps;       // frames per second
-  std::optional<int> width, height;  // pixels; the fitted camera frames for this size
+  bool allow_outside = false;                  // files may lie outside the folder of the file that names them
+  std::optional<TimeBase> fps = {};            // overrides the file's frames per second; 25 where neither says
+  std::optional<int> width = {}, height = {};  // pixels; override the file's
 };
 
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw
 // them with nothing but the object: camera and lights of the file, else the fitted camera and the key light; frames 0
-// to the last one at or before the last key.
+// to the last one at or before the last key. The fitted camera is a perspective of 45 degrees from the direction
+// (1, 0.8, 1.7) that shows everything at every frame; the key light is white, from the direction (0.4, 0.7, 0.9).
 //
-// The result is valid. Errors: cannot_read when the file is missing or unreadable,
-// bad_input when it or what it names is wrong, usage for another extension or options out of range.
+// The result is valid. Errors: cannot_read when the file is missing or unreadable, bad_input when it or what it names
+// is wrong, usage for another extension or options out of range.
 Scene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace morphcl

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "morphcl/error.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/scene/shot_folder.hpp"
 
@@ -236,6 +237,30 @@ TEST(Shot, TakesWhatTheCallerDecides) {
   EXPECT_EQ(scene.timeline.time.fps_numerator, 24);
   EXPECT_EQ(scene.image.width, 64);
   EXPECT_EQ(scene.image.height, 32);
+}
+
+// Of every kind of file, before anything is computed with them.
+TEST(Shot, WhatTheCallerDecidesOutOfRangeIsAUsageError) {
+  const ShotFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("shot.toml", test::cube_object);
+  const LoadOptions wrong[] = {{.fps = TimeBase{25, 0}},
+                               {.fps = TimeBase{0, 1}},
+                               {.fps = TimeBase{-25, 1}},
+                               {.fps = TimeBase{25, 1'000'001}},
+                               {.width = 0},
+                               {.width = max_image_size + 1},
+                               {.height = -1}};
+  for (const char* name : {"a.obj", "shot.toml"})
+    for (std::size_t i = 0; i < std::size(wrong); ++i) {
+      try {
+        load_scene(folder.path(name), wrong[i]);
+        ADD_FAILURE() << name << ", option " << i;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage) << error.what();
+        EXPECT_EQ(error.place(), folder.path(name));
+      }
+    }
 }
 
 TEST(Shot, HashChangesWithEveryByteOfItAndOfItsFiles) {
