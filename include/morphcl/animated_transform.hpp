@@ -2,6 +2,9 @@
 //
 // Each adder takes the step's moving parameter as a track and the rest as constants; the conventions are those of
 // CompositeTransform. Error(usage) when the track is empty or has the wrong width.
+//
+// For callers that evaluate transforms themselves: a Node moves by its own tracks. Ticks are those of the time base
+// that all tracks were made with (TimeBase::frame_ticks).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +25,8 @@ class AnimatedTransform {
   AnimatedTransform& shear(Track factors);             // width 6: xy xz yx yz zx zy
   AnimatedTransform& fixed(CompositeTransform steps);  // steps that do not move
 
-  // A pure function of the tick. Error(usage) when a parameter there is degenerate (CompositeTransform says which are).
+  // A pure function of the tick. Error(usage) when a parameter, moving or constant, is not finite or degenerate
+  // (CompositeTransform says which are).
   CompositeTransform at(std::int64_t tick) const;
 
  private:

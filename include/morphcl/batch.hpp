@@ -23,7 +23,7 @@ class Session;
 
 // ---- matrices -------------------------------------------------------------------------------------------------------
 //
-// Matrices for the batch transforms, by rows, in the precision of the vertices. Real is float or double.
+// By rows, in the precision of the vertices. Real is float or double.
 
 // One row of a matrix that multiplies column vectors (x, y, z, 1).
 template <class Real>
@@ -42,7 +42,6 @@ struct ProjectiveRows {
 
 // The rows of a matrix, each entry rounded once to nearest. Error(usage) where one is not finite or too large for Real;
 // of affine_rows also where the last row is not 0 0 0 1.
-// (Each says that it is exported: GLM's types are not, nor would be templates that take them.)
 template <class Real>
 [[gnu::visibility("default")]] AffineRows<Real> affine_rows(const glm::dmat4& affine);
 template <class Real>
@@ -63,9 +62,7 @@ AffineRows<Real> normal_rows(const AffineRows<Real>& rows);
 
 // ---- vertices -------------------------------------------------------------------------------------------------------
 //
-// Vertices in memory that belongs to the caller, as the batch transforms take them.
-//
-// Real is float or double, const where they are only read.
+// In memory that belongs to the caller. Real is float or double, const where they are only read.
 
 enum class VertexLayout {
   separate,  // one array for x, one for y, one for z
@@ -106,7 +103,7 @@ class Vertices {
   Real* carried() const { return in_vertex(3); }
   std::size_t stride() const { return reals_per_vertex(layout_); }
 
-  Vertices part(std::size_t first, std::size_t count) const;
+  Vertices part(std::size_t first, std::size_t count) const;  // first + count <= size(), which is not tested
 
  private:
   template <class>
@@ -201,16 +198,16 @@ struct MatrixBlend {
   std::span<const std::array<Real, 4>> weights;
 };
 
-// Nothing where all vertices go through the only matrix there is.
+// Nothing where all vertices go through the only matrix there is; where there are several that is Error(usage).
 template <class Real>
 using MatrixChoice = std::variant<std::monostate, MatrixIndices, MatrixBlend<Real>>;
 
 // ---- execution ------------------------------------------------------------------------------------------------------
 //
-// The arrays are used where they lie (no copies on a CPU device); `out` may be the same arrays as `in`. The call
-// returns when the results are in `out`. They are the same bits on every device with Verdict::identical, as
-// transform_reference() computes them; batches of fewer than 8192 vertices are computed by it, in about the time that
-// the launch of a kernel takes.
+// The arrays are used where they lie (no copies on a CPU device); `out` may be the same arrays as `in`, any other
+// overlap is Error(usage). The call returns when the results are in `out`. They are the same bits on every device with
+// Verdict::identical (session.hpp), as transform_reference() computes them; batches of fewer than 8192 vertices are
+// computed by it, in about the time that the launch of a kernel takes.
 //
 // Large batches are written past the cache from the first result on that starts a cache line (64 bytes). That takes
 // arrays of `separate` that all start at the same offset in their lines, as large arrays from one allocator do, and
@@ -219,7 +216,7 @@ using MatrixChoice = std::variant<std::monostate, MatrixIndices, MatrixBlend<Rea
 
 // Error(usage): `in`, `out` and the choice do not fit, or a vertex asks for a matrix past the last one: it becomes NaN,
 // all others are transformed. Error(no_device): Real is double and the device has none, or the device failed;
-// Error(internal) likewise.
+// Error(internal) likewise. Threads may share a session.
 template <class Real>
 void transform_vertices(Session& session, const Transform<Real>& transform,
                         const Vertices<const std::type_identity_t<Real>>& in,

@@ -7,7 +7,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- look at --------------------------------------------------------------------------------------------------------
 //
-// Object -> world -> eye: the rigid transform of a camera.
+// World -> eye: the rigid transform of a camera that looks along -z of eye space, y up.
 //
 // The up vector is repaired: only its part across the view axis is used (Kahan cross products). When it is 0 or closer
 // to the view axis than 1e-12 radians, a fixed basis is used instead (the world axis least aligned with the view, ties
@@ -20,7 +20,7 @@ struct LookAt {
   bool up_replaced = false;
 };
 
-// Error(usage) when eye equals target, or anything is not finite.
+// Error(usage) when eye equals target, anything is not finite, or the matrix overflows.
 LookAt look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
 
 // From `eye` along `direction`, of any length; Error(usage) when it is 0, or anything is not finite.
@@ -39,14 +39,14 @@ glm::dmat4 world_to_eye(PrincipalView view);
 
 // ---- axonometric ----------------------------------------------------------------------------------------------------
 //
-// Axonometric views: orthographic projections of a turned object, named after how the three axes are foreshortened.
+// Orthographic projections of a turned object, named after how the three axes are foreshortened.
 //
 // World y is up in the picture. Seen along the unit vector n (towards the eye), a length along axis i is drawn
 // sqrt(1 - n_i^2) times as long, and the squares of these three factors add up to 2. In an isometric view the three are
 // equal, in a dimetric view two, in a trimetric view none.
 
-// Unit vectors of world space at right angles: where the eye is, and what is up. Components are within 8u64, but from
-// ratios their squares are within 4u64: a small component n within 2u64 / n.
+// Unit vectors of world space at right angles: where the eye is, and what is up; look_along(eye, -towards_eye, up) is
+// the camera. Each component is within 8u64. From ratios its square is within 4u64, so one of size n within 2u64 / n.
 struct ViewDirection {
   glm::dvec3 towards_eye{0, 0, 1}, up{0, 1, 0};
 };

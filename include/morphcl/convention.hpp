@@ -26,7 +26,7 @@ struct Convention {
   NdcDepth depth = NdcDepth::minus_one_to_one;
 };
 
-// Lecture slides use five combinations: the first three and, for a z-buffer from 0 to 1, the last two.
+// The combinations that are met most; the last two are for depth from 0 to 1.
 inline constexpr Convention column_right_handed{};              // morphcl's own; OpenGL
 inline constexpr Convention row_right_handed{VectorForm::row};  // with the eye at (0, 0, d): see board_to_eye
 inline constexpr Convention row_left_handed{VectorForm::row, Handedness::left};
@@ -34,6 +34,8 @@ inline constexpr Convention row_left_handed_zero_to_one{VectorForm::row, Handedn
                                                         NdcDepth::zero_to_one};  // Direct3D
 inline constexpr Convention column_right_handed_zero_to_one{VectorForm::column, Handedness::right,
                                                             NdcDepth::zero_to_one};
+
+// `own` is morphcl's, `foreign` the other system's.
 
 // Affine maps between spaces that both change: object to world, world to eye.
 glm::dmat4 transform_to(const Convention& convention, const glm::dmat4& own);

@@ -26,13 +26,13 @@ std::optional<DepthFormat> depth_format_named(std::string_view name);
 // Distances along the view axis that a camera sees. near > 0 unless parallel, far > near; far may be infinite in
 // perspective.
 struct DepthRange {
-  double near, far;
+  double near, far;  // world units; not tested
   bool parallel = false;
 };
 
 // The number that a buffer of this format holds at a distance in [near, far]: a binary32 value or a whole number of
-// steps. It is the formula's value rounded to nearest; where that value is within 2^-48 of itself from the middle of
-// two numbers, either may be given. A nearer distance is never stored as farther.
+// steps. It is the formula's value rounded to nearest; within 2^-48, relative, of the middle between two numbers either
+// may be given. A nearer distance is never stored as farther. Distances outside of [near, far] are not tested.
 double stored_depth(DepthFormat format, const DepthRange& range, double distance);
 
 // Whether the buffer takes one number for nearer than the other; equal numbers are a tie.
@@ -40,8 +40,8 @@ inline bool is_nearer(DepthFormat format, double stored, double other) {
   return format == DepthFormat::forward_float ? stored < other : stored > other;
 }
 
-// The distance that a number stands for, within 8u64 of the larger of it and far - near (parallel) or of it
-// (perspective); infinity where it is that of a far plane at infinity.
+// The distance that `stored` stands for, within 8u64 of that distance (perspective) or of the larger of it and
+// far - near (parallel); infinity where `stored` is a far plane at infinity.
 double distance_of_stored(DepthFormat format, const DepthRange& range, double stored);
 
 // 2^N - 1 of a fixed format; 0 of the others.

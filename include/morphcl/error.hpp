@@ -1,7 +1,5 @@
-// What goes wrong is thrown as an Error: its kind, where, and one line that says what would be right.
-//
-// Every failure that a user can cause is one `Error`: what kind it is (which decides the exit code of the command line
-// tool) and one line of text "PLACE: what is wrong; what would be right". PLACE is "file", "file:line:column" or
+// What goes wrong is thrown as an Error: its kind, which decides the exit code of the command line tool, and one line
+// "PLACE: what is wrong; what would be right". PLACE is "file", "file:line:column" or
 // "file: accessors[3]"; it is empty where there is no file. The line holds no newline, whatever the input held.
 #pragma once
 
@@ -14,7 +12,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 // The numbers are the exit codes of the command line tool.
 enum class ErrorKind : int {
   usage = 2,           // the caller asked for something that makes no sense
-  bad_input = 65,      // a shot or model is wrong
+  bad_input = 65,      // a shot, a model, or data of a scene made in code (a mesh, keys, a size) is wrong
   cannot_read = 66,    // an input is missing or unreadable
   no_device = 69,      // no usable OpenCL device
   internal = 70,       // a defect of morphcl or of the OpenCL driver

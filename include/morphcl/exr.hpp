@@ -13,14 +13,15 @@ namespace [[gnu::visibility("default")]] morphcl {
 
 // What a frame's file says about the frame. No date, host or path: two runs give the same bytes.
 struct FrameAttributes {
-  std::int64_t frame = 0;  // stored as imageCounter, and with the rate as timeCode
+  std::int64_t frame = 0;  // stored as imageCounter, and with a rate of up to 30 as timeCode
   // Stored as framesPerSecond; numerator 0 to 2^31 - 1, denominator 1 to 2^31 - 1.
   std::int64_t fps_numerator = 25, fps_denominator = 1;
   // morphcl's convention: column vectors, the eye looks down -z. Stored as worldToCamera: row vectors, +z is the
   // viewing direction.
   glm::dmat4 world_to_eye{1.0};
   // morphcl's convention: x and y from -1 to 1, y up. Stored as worldToNDC: row vectors, (0, 0) is the upper left and
-  // (1, 1) the lower right corner. Both matrices give screenWindowCenter and screenWindowWidth.
+  // (1, 1) the lower right corner. Both matrices give screenWindowCenter and screenWindowWidth; they are
+  // stored in fp32.
   glm::dmat4 world_to_ndc{1.0};
   std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
 };
@@ -32,17 +33,18 @@ void check_compression(const std::string& name);  // Error(usage) lists the name
 
 // Writes to a temporary name in the same folder, flushes to disk, renames; missing folders are made. Returns the pixel
 // hash that the file holds: of the pixels that a reader gets, so with a lossy compression not that of `frame`.
-// Error(cannot_create) when the folder or the file cannot be made, Error(write_failed) when the disk is full; in both
-// cases nothing is left behind. `compression` is one of compression_names(), else Error(usage). More than one thread
+// Error(cannot_create) when the folder or the file cannot be made, Error(write_failed) when not all of it reaches the
+// disk; in both cases nothing is left behind and an older file still stands. Error(usage) for another compression, a
+// frame without channels, or attributes that cannot be stored. More than one thread
 // helps a single frame; frames that are written at the same time do better with one thread each.
 std::string write_exr(const std::string& path, const FrameBuffer& frame, const FrameAttributes& attributes = {},
                       const std::string& compression = "zip", int threads = 1);
 
 struct ExrFrame {
-  FrameBuffer frame;  // the data window
-  FrameAttributes attributes;
-  std::string stored_hash;  // empty in a file that is not morphcl's
-  std::string hash;         // of the pixels as decoded
+  FrameBuffer frame;           // the pixels of the data window
+  FrameAttributes attributes;  // the defaults where the file has none
+  std::string stored_hash;     // empty in a file that is not morphcl's
+  std::string hash;            // of the pixels as decoded
 };
 
 // Decodes every pixel of the first part, scan lines or tiles, whose R, G, B, A (to half) or Z (to float) are kept: a

@@ -11,7 +11,7 @@
 
 namespace [[gnu::visibility("default")]] morphcl {
 
-constexpr float background_depth = 1e10f;
+constexpr float background_depth = 1e10f;  // Z where nothing is drawn
 
 // A frame: half R, G, B, A and float Z, row after row from the top.
 //
@@ -40,8 +40,8 @@ class FrameBuffer {
   bool has_depth() const { return has_depth_; }
 
   // The width() pixels of row y (0..height() - 1, 0 at the top) in one channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE
-  // binary16, linear light. Colour is premultiplied by alpha. Empty when the frame has no colour. Whoever can write
-  // may: no tile counts as blank from then on.
+  // binary16, linear light. Colour is premultiplied by alpha. Empty when the frame has no colour. A frame that
+  // is not const forgets here which of its tiles are blank, as the caller may write.
   std::span<std::uint16_t> color_row(int channel, int y) {
     forget_blank_tiles();
     return row<std::uint16_t>(has_color_, y, color_offset(channel));
@@ -49,7 +49,8 @@ class FrameBuffer {
   std::span<const std::uint16_t> color_row(int channel, int y) const {
     return row<std::uint16_t>(has_color_, y, color_offset(channel));
   }
-  // The same of the positive distance along the view axis; background_depth where nothing was hit.
+  // The same of the positive distance along the view axis; background_depth where nothing is drawn, infinity where a
+  // depth buffer other than the default holds a far plane at infinity.
   std::span<float> depth_row(int y) {
     forget_blank_tiles();
     return row<float>(has_depth_, y, depth_offset());
@@ -70,7 +71,8 @@ class FrameBuffer {
   }
   std::size_t depth_offset() const { return has_color_ ? color_offset(4) : 0; }
 
-  // Tiles of 64 x 64 pixels. blank(...): known to hold 0 in every colour channel and the background's depth.
+  // Tiles of 64 x 64 pixels, from (0, 0) at the upper left. blank(...): known to hold 0 in every colour channel and the
+  // background's depth.
   int tiles_x() const { return tiles_x_; }
   int tiles_y() const { return tiles_y_; }
   bool blank(int tile_x, int tile_y) const { return any_blank_ && note(tile_x, tile_y) == all_blocks; }
@@ -113,11 +115,11 @@ class FrameBuffer {
   bool any_blank_ = false;  // false: the notes are void
 };
 
-// 32 hex digits: two frames have the same ones exactly when their channels, size and every bit of their pixels are the
-// same. It is xxh3-128, seed 0, in its canonical (big-endian) form, over the channels in alphabetical order, each as:
-// the name and a zero byte; the pixel type (1 half, 2 float) and the window (first x, first y, last x, last y), five
-// 32-bit integers; the values, row by row from the top. All numbers are little-endian. EXR files keep the hash of their
-// pixels, whatever their compression.
+// 32 hex digits, the same for two frames when their channels, size and every bit of their pixels are the same, and, but
+// for collisions of the hash, only then. It is xxh3-128, seed 0, in its canonical (big-endian) form, over the channels
+// in alphabetical order, each as: the name and a zero byte; the pixel type (1 half, 2 float) and the window (first x,
+// first y, last x, last y), five 32-bit integers; the values, row by row from the top. All numbers are little-endian.
+// EXR files keep the hash of their pixels, whatever their compression.
 std::string pixel_hash(const FrameBuffer& frame);
 
 // ---- plain arrays ---------------------------------------------------------------------------------------------------

@@ -1,7 +1,9 @@
-// Flat convex polygons with integer corners, seen from z = +infinity: what the hidden-surface algorithms of this folder
-// work on. Every decision is exact.
+// Flat convex polygons with integer corners, seen from z = +infinity: what the hidden-surface algorithms below work on.
+// Every decision is exact.
 //
-// Units are half pixels: the centre of pixel (i, j) is (2i + 1, 2j + 1), so that corners may lie on it or beside it.
+// Units are half pixels: the centre of pixel (i, j) is (2i + 1, 2j + 1), so that corners may lie on it or beside it. x
+// runs to the right, y upwards: row 0 of a picture has the smallest y. Coordinates end at 512, so at most 256 x 256
+// pixels show anything.
 // Larger z is nearer. A pixel belongs to a polygon that its centre lies in, with the edges towards smaller x and
 // smaller y included and the others not, so that two polygons that share an edge never share a pixel. Of equal depths
 // the polygon with the lower index is seen.
@@ -21,6 +23,7 @@ struct IntegerPlane {
   std::int64_t x = 0, y = 0, z = 0, d = 0;
 };
 
+// Made by make_flat_polygon(); what uses it does not test it.
 struct FlatPolygon {
   std::vector<glm::ivec3> corners;  // counter-clockwise seen from the tip of the plane's normal
   IntegerPlane plane;               // |normal| <= 2^23 a component, |d| <= 2^34
@@ -54,9 +57,10 @@ bool is_seen_before(const std::vector<FlatPolygon>& polygons, int challenger, in
 
 // ---- hidden surfaces ------------------------------------------------------------------------------------------------
 //
-// Four ways to the same picture of flat polygons seen from z = +infinity. Pixel for pixel they agree with a z-buffer.
+// Three ways to the same picture: the one that a z-buffer gives, pixel for pixel.
 
-// Painter's algorithm: back to front by a BSP tree, which splits what has no order. Error(usage) as BspTree.
+// Painter's algorithm: back to front by a BSP tree (Fuchs, Kedem and Naylor 1980), which splits what has no order.
+// Error(usage) for more than 4096 polygons.
 PolygonPicture painted_picture(const std::vector<FlatPolygon>& polygons, int width, int height);
 
 // Warnock (1969): a square window of 2^k pixels is divided in four until one polygon hides all others in it, or none is

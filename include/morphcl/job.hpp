@@ -28,14 +28,14 @@ struct FrameResult {
 struct RenderJob {
   // A path whose file name holds at most one place for the frame number: a run of two or more '#' is that many digits,
   // a lone '#' is four, %0Nd is N digits (N at most 20), %d is as many as needed. Shorter numbers get zeros in front,
-  // longer ones are not cut; a minus sign comes before the digits. Folders are taken as they are written.
+  // longer ones are not cut; a minus sign comes before the digits. In folders '#' and '%' are no places.
   std::string pattern;
-  std::vector<std::int64_t> frames = {};  // each once; empty: those of the scene
+  std::vector<std::int64_t> frames = {};  // each once, which is not tested; empty: those of the scene
   bool resume = false;                    // keep the finished frames of the same fingerprint
   bool verify = false;  // read every frame back after it was written; one that reads back differently is removed
   // A frame whose plan shows the same picture as one that this job has written is copied from that one's file.
   bool reuse_equal_frames = true;
-  // CPU threads that compress while the next frame is drawn; 0: one for each CPU of the process, 8 at most.
+  // CPU threads that compress while the next frame is drawn; at most 8; 0: one for each CPU of the process.
   int threads = 0;
   // Frame buffers, the one being drawn included; 0: one more than threads, but at most 2 GiB of them (two at least). A
   // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
@@ -45,7 +45,8 @@ struct RenderJob {
   std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
   bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
   std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
-  const std::atomic<bool>* stop = nullptr;                // set: finish what was drawn, write it and return
+  // Set by another thread or a signal: what was drawn is finished and written. It has to outlive run().
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct JobResult {
@@ -55,15 +56,15 @@ struct JobResult {
 
 // Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a scene that is not
 // valid, a pattern without a number although several frames are asked for, a pattern that is none, an unknown
-// compression, or pictures of a scene without colour; Error(cannot_create) when the output cannot be created. Thrown at
-// the end, when all frames were reached: the Error of the contact sheet; and what on_frame threw. Temporary files that
-// killed jobs of the same pattern left are removed. The renderer forgets
-// (Renderer::forget) before and after.
+// compression, or pictures of a scene without colour; Error(cannot_create) when the output cannot be created. Thrown
+// after the frames: the Error of the contact sheet. What on_frame throws stops the job, without a contact sheet, and is
+// thrown when the frames under way are written. Temporary files that killed jobs of the same pattern left are removed.
+// The renderer forgets (Renderer::forget) before and after.
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's
-// file but its number: the image's settings, meshes, objects, nodes, tracks, camera and lights, every byte that was
-// read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it.
+// file but its number: the image's settings, meshes, objects, nodes, tracks, camera, lights and stated accuracy, every
+// byte that was read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it.
 std::string fingerprint(const Scene& scene);
 
 }  // namespace morphcl

@@ -8,25 +8,27 @@
 
 namespace [[gnu::visibility("default")]] morphcl {
 
-// A delta target holds differences to the base, as glTF does: p + w d. An absolute target holds the target's own
-// positions: (1-w) p + w b, exact at w = 0 and w = 1.
+// With p of the base and w the weight: a delta target holds differences d, as glTF does, and gives p + w d; an absolute
+// target holds values b of its own and gives (1-w) p + w b, exact at w = 0 and w = 1. Several targets add up what they
+// change, w d and w (b - p). The form holds for positions, normals and colours.
 enum class TargetForm { delta, absolute };
 
 struct MorphTarget {
   std::string name;
   TargetForm form = TargetForm::delta;
   std::vector<glm::vec3> positions;  // one a vertex, or empty: the target does not move vertices
-  std::vector<glm::vec3> normals;    // one a vertex, or empty: the target keeps the base's normals
-  std::vector<glm::vec4> colors;     // one a vertex, or empty
+  std::vector<glm::vec3> normals;    // one a vertex, or empty: the base's stay; not used where the mesh has none
+  std::vector<glm::vec4> colors;     // the same
 };
 
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;   // at least one; all finite
   std::vector<glm::vec3> normals;     // one a vertex, unit length, or empty: faces are lit flat
-  std::vector<glm::vec4> colors;      // one a vertex, linear RGBA in [0, 1], or empty: white
-  std::vector<glm::uvec3> triangles;  // counter-clockwise seen from outside
-  std::vector<glm::uvec2> edges;      // what wireframe draws; empty: the distinct edges of the triangles
+  std::vector<glm::vec4> colors;      // one a vertex, linear RGBA, clamped to [0, 1] after morphing, or empty: white
+  std::vector<glm::uvec3> triangles;  // indices of vertices, counter-clockwise seen from outside
+  std::vector<glm::uvec2>
+      edges;  // indices of vertices: what wireframe draws; empty: the distinct edges of the triangles
   std::vector<MorphTarget> targets;
 };
 

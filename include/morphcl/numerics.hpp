@@ -12,7 +12,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 //
 // Sine and cosine of an angle in degrees, correctly rounded: exact wherever they are rational (multiples of 90; 0.5 at
 // 30 and 60) and with sin = cos at 45. The one reduction modulo 360 is exact, so that 1e15 + 30 degrees is as good
-// as 30. Method and limits of the proof: morphcl/numerics.hpp. Results that are 0 are +0.
+// as 30. Results that are 0 are +0.
 
 struct SinCos {
   double sin, cos;
@@ -31,13 +31,12 @@ double degrees(double radians);
 // given doubles, so the same bits on every machine. (The C library's differ from version to version and from processor
 // to processor.)
 //
-// Method: Ziv (1991). A first phase of about 70 bits (sine_kernel.hpp) decides nearly always; where its error bound
-// leaves two doubles possible, a second one of more than 180 bits in integers (accurate_sine.hpp) decides. Arguments of
-// any size are reduced exactly (quarter_turns.hpp). The hardest arguments published need some 53 + 70 bits; that none
-// needs 180 is not proved for sine, cosine and tangent of large numbers and for the arc tangent, but the chance that
-// one of them does is below 2^-50.
+// Method: Ziv (1991). A first phase of about 70 bits decides nearly always; where its error bound leaves two doubles
+// possible, a second one of more than 180 bits in integers decides. Arguments of any size are reduced exactly. The
+// hardest arguments published need some 53 + 70 bits; that none needs 180 is not proved for sine, cosine and tangent of
+// large numbers and for the arc tangent, but the chance that one of them does is below 2^-50.
 //
-// Compared with MPFR (tests/math/count_misroundings.cpp): 20 million arguments each of sine, cosine, tangent and of the
+// Compared with MPFR: 20 million arguments each of sine, cosine, tangent and of the
 // arc tangents of x / 1, 1 / x and x / -3, one million each of sine and cosine of degrees; no miss.
 //
 // Special values are those that IEEE 754 recommends: NaN for infinite angles, -0 for -0, and for the arc tangent the
@@ -55,7 +54,7 @@ double arc_tangent(double y, double x);
 // The exponential function, correctly rounded: the double nearest to the exact value, so the same bits on every
 // machine.
 //
-// Method: Ziv's two phases as in trigonometry.hpp. x = k ln 2 + r with |r| <= 0.35, r in double-double arithmetic;
+// Method: Ziv's two phases as above. x = k ln 2 + r with |r| <= 0.35, r in double-double arithmetic;
 // e^(r/8) - 1 by its Taylor series, squared three times as s (s + 2), within 2^-67 relative; where that leaves two
 // doubles possible, the series of e^r in 256-bit integers. The hardest argument is known to need 53 + 60 bits (Lefevre
 // and Muller 2001), but for those below 2^-30, whose hardness is that of 1 + x + x^2/2; at most some 53 + 110.
@@ -110,8 +109,8 @@ T perspective_lerp(T a1, T w1, T a2, T w2, T t) {
 std::uint16_t to_half(double value);
 double from_half(std::uint16_t bits);  // exact
 
-// value = bias + scale * half. Halves are spaced by half a unit at 1000, so coordinates far from the origin are stored
-// about their middle: the error is at most 2^-12 of half the range.
+// value = bias + scale * half. Halves are spaced by 0.5 at 1000, so coordinates far from the origin are stored about
+// the middle of their range: the error is at most 2^-12 of `scale`, which is less than twice half the range.
 struct HalfRange {
   double bias = 0;
   double scale = 1;  // a power of two that brings all values into [-1, 1]

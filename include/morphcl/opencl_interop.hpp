@@ -20,6 +20,7 @@ enum class VertexLayout;  // this and Transform: batch.hpp
 template <class Real>
 class Transform;
 
+// Both belong to the session.
 const cl::Context& context_of(const Session& session);
 const cl::CommandQueue& queue_of(const Session& session);  // in order; shared with the library's own work
 
@@ -30,7 +31,7 @@ struct VertexBuffers {
 };
 
 struct IndexBuffer {
-  cl::Buffer index;  // a uint a vertex
+  cl::Buffer index;  // a uint a vertex: its matrix
 };
 
 struct BlendBuffers {
@@ -44,13 +45,13 @@ using ChoiceBuffers = std::variant<std::monostate, IndexBuffer, BlendBuffers>;
 template <class Real>
 void check_precision(const DeviceInfo& device);
 
-// Puts the transform of the first `count` vertices into the session's queue, in order with what is there. `out` may be
-// the same buffers as `in`; other overlap is not allowed and not found out. Results bypass the cache where they are too
-// many to stay in it and their buffers' memory is aligned to 64 bytes.
-// A vertex that asks for a matrix past the last one becomes NaN; the uint in `bad_index`, where it is given, is set to
-// 1 if there are any. Error(usage): layouts differ, a buffer is too small, several matrices without a choice, a blend
-// of normals. Error(no_device, internal): check_precision(), or the device failed.
-// (It says that it is exported: OpenCL's types are not, nor would be templates that take them.)
+// Puts the transform of the first `count` vertices into the session's queue, in order with what is there, and returns
+// before it is done; the transform is copied. Buffers are of the session's context. `out` may be the same buffers as
+// `in`; other overlap is not allowed and not found out. Results bypass the cache where they are too many to stay in it
+// and their buffers' memory is aligned to 64 bytes. A vertex that asks for a matrix past the last one becomes NaN; the
+// uint in `bad_index`, where it is given and 0 before, is set to 1 if there are any. Error(usage): layouts differ, a
+// buffer is too small, several matrices without a choice, a blend of normals. Error(no_device, internal):
+// check_precision(), or the device failed.
 template <class Real>
 [[gnu::visibility("default")]] void enqueue_transform(Session& session, const Transform<Real>& transform,
                                                       const VertexBuffers& in, const VertexBuffers& out,

@@ -28,7 +28,7 @@ class Plan {
   // What a file of the frame says about it: number, rate, camera. The fingerprint is empty.
   FrameAttributes attributes() const;
 
-  // For the library. From a plan that is about to go there is only a copy.
+  // For the library alone, where FramePlan is complete. On a temporary plan operator* returns a copy.
   const FramePlan& operator*() const& { return *plan_; }
   FramePlan operator*() &&;
   const FramePlan* operator->() const& { return plan_.get(); }

@@ -9,17 +9,18 @@
 
 namespace [[gnu::visibility("default")]] morphcl {
 
-// What plans may leave out. Every picture is the same with and without; measurements and tests ask for both.
+// What plans may leave out. Every picture is the same with and without; measurements and tests ask for both. (But an
+// object out of view whose transform leaves fp32 is an error only where it is not left out.)
 struct PlanOptions {
   bool leave_out = true;  // false: nothing is left out, whatever the items say
   bool objects_out_of_view = true;
-  bool idle_targets = true;  // morph targets of weight 0
-  bool normals = true;       // and light, where the scene has no lights; and all colour, where none is asked for
-  bool clipping = true;
-  bool divide = true;
-  bool depth_test = true;
-  bool kept_vertices = true;
-  bool blank_tiles = true;
+  bool idle_targets = true;   // morph targets of weight 0
+  bool normals = true;        // and light, where the scene has no lights; and all colour, where none is asked for
+  bool clipping = true;       // where nothing reaches the near plane or far beyond the picture
+  bool divide = true;         // by w, where it is 1: in parallel projections
+  bool depth_test = true;     // where no pixel is covered twice
+  bool kept_vertices = true;  // transforming objects that are as in the frame drawn before
+  bool blank_tiles = true;    // writing tiles of 64 x 64 pixels that were background and stay so
 };
 
 // Plans frames of one scene; keeps what does not change from frame to frame: bounds of meshes, transforms of nodes that

@@ -2,7 +2,7 @@
 //
 // Method: Shewchuk (1997). A floating-point evaluation decides where it is further from 0 than its error bound;
 // otherwise all products are formed without rounding and summed as an expansion, whose leading component has the sign
-// of the sum. Barring overflow and underflow: coordinates are 0 or of a size between 1e-90 and 1e90.
+// of the sum. Barring overflow and underflow: coordinates are finite, and 0 or of a size between 1e-90 and 1e90.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -22,9 +22,9 @@ int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, c
 //
 // Whether a point lies in a polygon of the plane: exactly, for the coordinates given.
 //
-// Method: the winding number, counted over edges that are half-open in y, with exact orientations
-// (morphcl/predicates.hpp); so an edge or corner that two polygons share is never counted twice, and no angles are
-// added. A point on the boundary is an answer of its own.
+// Method: the winding number, counted over edges that are half-open in y, with the exact orientations above; so an edge
+// or corner that two polygons share is never counted twice, and no angles are added. A point on the boundary is an
+// answer of its own.
 
 enum class PointPlace { outside, inside, boundary };
 
@@ -32,7 +32,8 @@ enum class PointPlace { outside, inside, boundary };
 // Inside is where it winds around the point other than 0 times. Of no corners nothing is inside.
 PointPlace place_in_polygon(std::span<const glm::dvec2> polygon, const glm::dvec2& point);
 
-// How many times the polygon runs around a point that is not on its boundary, counter-clockwise counted positive.
+// How many times the polygon runs around a point that is not on its boundary, counter-clockwise counted positive. On
+// its boundary: some number.
 int winding_number(std::span<const glm::dvec2> polygon, const glm::dvec2& point);
 
 }  // namespace morphcl

@@ -10,8 +10,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 
 // ---- window ---------------------------------------------------------------------------------------------------------
 //
-// The window: the rectangle of the picture's plane that an image shows, and how it is brought to the image's
-// proportions.
+// The rectangle of the picture's plane that an image shows, and how it is brought to the image's proportions.
 
 struct Window {
   double left = -1, right = 1, bottom = -1, top = 1;  // left < right, bottom < top
@@ -30,12 +29,13 @@ struct FittedWindow {
   ChangedAxis changed = ChangedAxis::none;  // the axis that was widened or cropped; the other one keeps its bits
 };
 
-// `aspect` is width / height of the image, > 0. Both sides move by the same amount, so the centre stays.
+// `aspect` is width / height of the image, > 0, and `window` has an area; neither is tested. Both sides move by the
+// same amount, so the centre stays.
 FittedWindow fitted(const Window& window, Fit fit, double aspect);
 
 // ---- oblique --------------------------------------------------------------------------------------------------------
 //
-// Oblique projections: parallel projectors that meet the picture's plane at an angle. What lies `d` behind the plane is
+// Parallel projectors that meet the picture's plane at an angle. What lies `d` behind the plane is
 // drawn moved by d * (x, y), so the plane itself keeps its true shape.
 //
 // The shear factors (l cos a, l sin a) are what is stored and computed with, not the angle beta between the projectors
@@ -64,10 +64,10 @@ ObliqueShear oblique_shear_along(const glm::dvec3& direction);
 
 // ---- projection -----------------------------------------------------------------------------------------------------
 //
-// Projections: eye space to clip space.
+// Eye space to clip space.
 //
 // Eye space is right-handed, the camera looks down -z; clip space is -w <= x, y, z <= w, NDC depth is -1 at near and +1
-// at far (docs/conventions.md names the other conventions as adapters). Distances are positive along the view axis.
+// at far (convention.hpp has the other conventions). Distances are positive along the view axis.
 
 // Vertical field of view in degrees, in (0, 180); near > 0; far > near, may be infinity. How much shows to the left and
 // right follows from the image's proportions.
@@ -103,8 +103,8 @@ struct Orthographic {
   Fit fit = Fit::stretch;
 };
 
-// Parallel projectors that meet the picture's plane at an angle (morphcl/projection.hpp). The planes are as for
-// Orthographic; near, far and `plane`, where nothing is moved, are distances along the view axis.
+// Oblique projectors (above). The planes are as for Orthographic. near, far and `plane` are distances along the view
+// axis; what lies at the distance `plane` is drawn in its true place.
 struct Oblique {
   double left = -1, right = 1, bottom = -1, top = 1, near = 0, far = 100;
   ObliqueShear shear{};
@@ -119,7 +119,8 @@ using Projection = std::variant<Perspective, HorizontalPerspective, Frustum, Cen
 void validate(const Projection& projection);
 
 // The OpenGL-style matrix, each entry within 8u64 relative of the exact one. `aspect` is width / height of the
-// image, > 0; it matters to fields of view and to windows that are to fit. Error(usage) also when an entry overflows.
+// image; it matters to fields of view and to windows that are to fit. Error(usage) as validate(), for an aspect that is
+// not positive and finite, and when an entry overflows.
 glm::dmat4 projection_matrix(const Projection& projection, double aspect);
 
 // The same with reversed depth: NDC depth is 1 at near and 0 at far, which keeps its relative precision in floating
@@ -127,6 +128,7 @@ glm::dmat4 projection_matrix(const Projection& projection, double aspect);
 glm::dmat4 reversed_depth_matrix(const Projection& projection, double aspect);
 
 // The vertical field of view that shows `fovx_degrees`, in (0, 180), across an image of the given width / height.
+// Error(usage) for other numbers.
 double fovy_from_fovx_degrees(double fovx_degrees, double aspect);
 
 // Central projection from the eye (0, 0, eye_z) onto the plane z = 0, the drawing board's perspective: the image of
@@ -134,6 +136,7 @@ double fovy_from_fovx_degrees(double fovx_degrees, double aspect);
 // w = eye_z - z, 0 or of the other sign than eye_z at and behind the eye. Error(usage) when eye_z is 0 or not finite.
 glm::dmat4 central_projection(double eye_z);
 
+// Along the view axis.
 double near_distance(const Projection& projection);
 double far_distance(const Projection& projection);
 inline bool is_parallel(const Projection& projection) {
@@ -141,6 +144,7 @@ inline bool is_parallel(const Projection& projection) {
 }
 
 // The window that an image of this aspect shows; fields of view have it on the plane at distance 1 from the eye.
+// Error(usage) as projection_matrix().
 FittedWindow fitted_window(const Projection& projection, double aspect);
 
 // ---- viewport -------------------------------------------------------------------------------------------------------
@@ -163,7 +167,7 @@ struct Viewport {
 
 // ---- vanishing point ------------------------------------------------------------------------------------------------
 //
-// Vanishing points: where the images of all lines along an axis of the world meet.
+// Where the images of all lines along an axis of the world meet.
 
 // Of the x, y and z axes of the world, in NDC; none for an axis whose lines stay parallel in the picture. A point may
 // lie far outside of [-1, 1].

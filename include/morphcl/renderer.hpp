@@ -1,5 +1,6 @@
-// Renderers turn plans into pixels. Two exist and give the same bits: one that runs OpenCL kernels, and a reference of
-// plain loops, slow and short, which is the meaning of what the kernels compute.
+// Renderers turn plans into pixels. Two exist: one that runs OpenCL kernels, and a reference of plain loops, slow and
+// short, which defines what the kernels have to compute. They give the same bits on devices with Verdict::identical
+// (session.hpp).
 //
 //   const auto renderer = make_device_renderer(Session::open({}));
 //   const Planner planner(scene);
@@ -18,6 +19,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 
 class Session;
 
+// For one thread at a time. Not made for classes outside of the library to derive from.
 class Renderer {
  public:
   virtual ~Renderer() = default;
@@ -27,12 +29,13 @@ class Renderer {
   //
   // Error(usage) when `frame` has another size or other channels than the plan, be they too few or too many, and when
   // the plan is of another planner than those before it and forget() was not called: its scene may be another.
+  // Error(no_device, internal) when the device failed or has too little memory.
   void render(const Plan& plan, FrameBuffer& frame);
 
   // What the renderer has drawn so far counts no more: the next plan may be of any planner.
   void forget() { planner_ = 0; }
 
-  virtual std::string name() const = 0;
+  virtual std::string name() const = 0;  // the device's, or "reference"
 
  private:
   virtual void draw(const FramePlan& plan, FrameBuffer& frame) = 0;

@@ -19,13 +19,14 @@ struct AxisRotation {
   glm::dmat3 identity_minus;  // I - R, without the cancellation of the subtraction
 };
 
-// The axis is finite and not 0; its length does not matter.
+// The axis is finite and not 0, which is not tested; its length does not matter. Error(usage) for a NaN or infinite
+// angle.
 AxisRotation axis_rotation(const glm::dvec3& axis, double degrees);
 
-// The same for an angle in radians; it is the double that is meant, however large.
+// The same for an angle in radians, of any size, taken as the exact value of the double.
 AxisRotation axis_rotation_radians(const glm::dvec3& axis, double radians);
 
-// About the line through `point` along `axis`: x -> R x + (I - R) point.
+// About the line through `point` along `axis`: x -> R x + (I - R) point. Arguments as axis_rotation.
 glm::dmat4 rotation_about_line(const glm::dvec3& point, const glm::dvec3& axis, double degrees);
 
 // ---- quaternion -----------------------------------------------------------------------------------------------------
@@ -33,22 +34,22 @@ glm::dmat4 rotation_about_line(const glm::dvec3& point, const glm::dvec3& axis, 
 // Rotations as quaternions, and the way between two of them.
 //
 // A quaternion need not have unit length: what it rotates by does not depend on it. Length 0 is no rotation of any kind
-// and must not be passed. u = 2^-53.
+// and must not be passed.
 
-// Unit length within 4u; scaled by a power of two first, so lengths from 1e-300 to 1e300 are safe.
+// Unit length within 4u64; scaled by a power of two first, so lengths from 1e-300 to 1e300 are safe.
 glm::dquat normalized(const glm::dquat& q);
 
 // The rotation's matrix in the form divided by |q|^2: exactly 0 and +-1 for quarter turns about coordinate axes.
 glm::dmat3 rotation_matrix(const glm::dquat& q);
 
 // Angle in radians, in [0, pi/2], between two quaternions as 4-vectors, sign ignored; half the angle of the rotation
-// from a to b. atan2(|a ^ b|, |a . b|) with Kahan differences in the wedge product: within 24u relative however nearly
-// equal the two are and whatever their lengths, where acos has no correct digit left.
+// from a to b. atan2(|a ^ b|, |a . b|) with Kahan differences in the wedge product: within 24u64 relative however
+// nearly equal the two are and whatever their lengths, where acos has no correct digit left.
 double angle_between(const glm::dquat& a, const glm::dquat& b);
 
-// Spherical interpolation along the shorter arc at t in [0, 1]; unit length within 8u. With sinc in place of sin the
-// same formula serves every angle down to 0. Which way is taken between opposite rotations (180 degrees) is the sign's
-// of b.
+// Spherical interpolation along the shorter arc at t in [0, 1]; unit length within 8u64. With sinc in place of sin the
+// same formula serves every angle down to 0. Where the rotations are 180 degrees apart both ways are equally short: it
+// goes to b where a . b >= 0, else to -b.
 glm::dquat slerp(const glm::dquat& a, const glm::dquat& b, double t);
 
 // ---- orthonormal basis ----------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 enum class Verdict { identical, tolerant };
 
 struct DeviceInfo {
-  int index = 0;  // position in the list that `morphcl devices` prints; usable as --device
+  int index = 0;  // place in the list that `morphcl devices` prints; usable as --device
   std::string name, vendor, driver_version, platform;
   bool is_cpu = false;
   unsigned compute_units = 0;
@@ -22,21 +22,25 @@ struct DeviceInfo {
 };
 
 struct SessionOptions {
-  std::string device;     // "" the first CPU device, else the first of any kind; a number: index; else part of a name
-  int threads = 0;        // 0: SLURM_CPUS_PER_TASK, else the affinity mask
-  std::string cache_dir;  // "" $MORPHCL_CACHE_DIR, else $XDG_CACHE_HOME/morphcl, else ~/.cache/morphcl; "-" no cache
+  std::string device;  // "" the first CPU device, else the first of any kind; a number: index; else part of a name
+  // 1 to 4096, of the process's first session alone (PoCL's threads); 0: SLURM_CPUS_PER_TASK, else the affinity mask.
+  int threads = 0;
+  // "" $MORPHCL_CACHE_DIR, else $XDG_CACHE_HOME/morphcl, else ~/.cache/morphcl; "-" no cache. So in the variable too.
+  std::string cache_dir;
 };
 
-// Must run before the process's first OpenCL call: sets PoCL's thread variables from `threads`, then probes the
-// installation in a child process, because PoCL 3.1 aborts where /sys is not mounted. Returns the thread count.
+// For programs that call OpenCL themselves before list_devices() or Session::open(), which call it otherwise: it sets
+// PoCL's thread variables from `threads`, then tests in a child process that asking for devices does not abort, as PoCL
+// 3.1 does where /sys is not mounted. Returns the thread count. Error(usage) for threads outside of 0 to 4096.
 int prepare_process(int threads);
 
-// Error(no_device) with the package to install when there is none.
+// In the order of DeviceInfo::index. Error(no_device) with the package to install when there is none.
 std::vector<DeviceInfo> list_devices();
 
+// Threads may share a session. Who takes one, as a renderer does, shares its ownership.
 class Session {
  public:
-  // Error(no_device): none found, or none matches; the message lists what there is.
+  // Error(no_device): none found, or none matches; the message lists what there is. Error(usage) for `threads`.
   static std::shared_ptr<Session> open(const SessionOptions& options);
   ~Session();
 
@@ -45,11 +49,10 @@ class Session {
   Verdict verdict() const;
   const std::string& verdict_detail() const;  // "" or what differs, with the largest difference in ulp
 
-  // Stores the binaries of programs that were built from source, for the kernels taken from them so far. These must
-  // have run by now: binaries hold work-group functions. Call it after the first frame is written, or from a thread of
-  // its own, as kernels may be used meanwhile: PoCL takes about as long as it took to compile. Call it again at the
-  // end, for kernels that later frames brought in; it is cheap when there is nothing to store. Never throws: an
-  // unwritable cache is no error.
+  // Stores what was compiled in this session and has run, for later processes. Call it after the first frame is
+  // written, or from a thread of its own, as PoCL takes about as long as it took to compile; call it again at the end,
+  // for what later frames brought in. Cheap when there is nothing to store. Never throws: an unwritable cache is no
+  // error.
   void store_programs();
 
  private:

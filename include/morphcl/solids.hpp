@@ -22,9 +22,9 @@ struct SolidInfo {
   std::string_view name;
   Segments minimum;  // {0, 0}: the solid has no segments
   Segments standard;
-  int grids;  // it has grids (u+1)(v+1) vertices
+  int grids;  // a mesh has grids (u+1)(v+1) vertices; without segments, grids vertices
   std::string_view description;
-  Mesh (*make)(Segments);
+  Mesh (*make)(Segments);  // does not check the segments; make_solid does
 };
 
 // All solids, in the order of the documentation.
@@ -42,7 +42,8 @@ constexpr long long max_solid_vertices = 1LL << 27;
 // How many vertices make_solid would make. Throws the same errors, and makes nothing.
 long long solid_vertices(std::string_view name, std::optional<Segments> segments = std::nullopt);
 
-// The makers below do not check their segments: make_solid does.
+// The makers below do not check their segments: make_solid does. Vertex (i, j), i from 0 to u and j from 0 to v, has
+// the index j (u+1) + i; the teapot has its patches one after the other.
 
 // The classic pyramid that grows into a box, z up, in its own coordinates: base z = 30 from (50, 50) to (150, 150), and
 // all four top corners in the apex (100, 100, 100). Target "cube" (absolute): top corners above the base's at z = 100.
@@ -61,15 +62,15 @@ Mesh make_sphere(Segments segments);
 // It keeps the plain grid's 2uv triangles: those at the poles have no area.
 Mesh make_sphere_to_cube(Segments segments);
 
-// Ring of radius 0.7 about the y axis with a tube of radius 0.3; u around the axis, v around the tube; (u+1)(v+1)
-// vertices.
+// Ring of radius 0.7 about the y axis with a tube of radius 0.3: vertex (i, j), at phi = 360 i/u around the axis and
+// psi = 360 j/v around the tube, is (r sin phi, -0.3 sin psi, r cos phi) with r = 0.7 + 0.3 cos psi.
 Mesh make_torus(Segments segments);
 
-// The square from -1 to 1 in the xz plane, facing +y; (u+1)(v+1) vertices. Not closed.
+// The square from -1 to 1 in the xz plane, facing +y; i runs along x, j along z. Not closed.
 Mesh make_grid(Segments segments);
 
 // Newell's teapot from its 32 bicubic Bezier patches, each cut into u x v quads, in the size of GLUT's teapot of size
-// 1: y up, spout towards +x, half the classic scale, raised so that the classic height 1.5 is y = 0; so x is in
+// 1: y up, spout towards +x, half the classic scale, lowered so that the classic height 1.5 is y = 0; so x is in
 // [-1.5, 1.7171], y in [-0.75, 0.825], z in [-1, 1]. 32 (u+1)(v+1) vertices. Not closed: the lid does not meet the rim.
 Mesh make_teapot(Segments segments);
 

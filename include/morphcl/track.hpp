@@ -16,7 +16,7 @@ namespace [[gnu::visibility("default")]] morphcl {
 // ---- time base ------------------------------------------------------------------------------------------------------
 //
 // Integer time. One second is fps_numerator * 1,000,000 ticks, so frame k starts at exactly k * fps_denominator *
-// 1,000,000 ticks, and a key given in seconds is kept to 1/(fps_numerator * 1e6) s: closer than that, two keys are one.
+// 1,000,000 ticks, and a key given in seconds is rounded to the nearest tick, 1/(fps_numerator * 1e6) s.
 
 struct TimeBase {
   std::int64_t fps_numerator = 25;   // > 0, at most 1,000,000
@@ -31,7 +31,7 @@ struct TimeBase {
   // frame is meant: a step at 1.04f must not come a frame late because 1.04f is a little more than 26/25. Keeps
   // different times apart.
   std::int64_t float_seconds_to_ticks(float seconds) const;
-  std::int64_t frames_to_ticks(double frame) const;  // the same for a key given as a (fractional) frame number
+  std::int64_t frames_to_ticks(double frame) const;  // as seconds_to_ticks, of a frame number, fractions allowed
 };
 
 // ---- spring ---------------------------------------------------------------------------------------------------------
@@ -50,15 +50,15 @@ constexpr double min_spring_frequency_hz = 1e-6, max_spring_frequency_hz = 1e7, 
 
 // ---- track ----------------------------------------------------------------------------------------------------------
 //
-// A track: keys in integer ticks and the rule between them, by the rules of glTF 2.0, and springs that follow keys.
+// Keys in integer ticks and the rule between them, by the rules of glTF 2.0, and springs that follow keys.
 //
 // Before the first key and after the last the end values hold; at a key its value is used as it is. Between keys: step
 // holds, linear interpolates by (1-u) a + u b in the form exact at both ends (slerp along the shorter arc for
 // rotations), cubic is the Hermite spline whose tangents are scaled by the key distance in seconds; rotations are
-// normalised after. A spring track is the motion of a mass on a spring that follows keys of one of these kinds
-// (anim/spring_motion.hpp): it lags, overshoots and goes on after the last key; of a rotation the components of unit
-// quaternions on the same side are followed and normalised after. A track is a pure function of the tick: there is no
-// cursor and no state. A key is found by binary search.
+// normalised after. A spring track is the motion of a mass on a spring that follows keys of one of these kinds. Up to
+// the first key it rests at that key's value; then it lags, overshoots and goes on after the last key; of a rotation
+// the components of unit quaternions on the same side are followed and normalised after. A track is a pure function of
+// the tick: there is no cursor and no state. A key is found by binary search. Rotations are x y z w.
 
 enum class Interpolation { step, linear, cubic, spring };
 
@@ -100,9 +100,10 @@ class SpringMotion;
 
 class Track {
  public:
-  Track() = default;
+  Track() = default;  // empty: where a timeline may have a track, it has none
 
-  // Track::linear(time, {{0, 0.0}, {100, 1.0}}): 0 at frame 0, 1 at frame 100. `time` is the timeline's.
+  // Track::linear(time, {{0, 0.0}, {100, 1.0}}): 0 at frame 0, 1 at frame 100. `time` is the timeline's: tracks
+  // keep its ticks, and in a timeline of another rate they run too fast or too slow, which is not tested.
   // Error(bad_input): no key, frames that do not increase, a number that is not finite.
   static Track step(const TimeBase& time, const std::vector<NumberKey>& keys);
   static Track step(const TimeBase& time, const std::vector<VectorKey>& keys);
@@ -116,23 +117,23 @@ class Track {
   static Track cubic(const TimeBase& time, const std::vector<VectorKey>& keys);
 
   // Error(bad_input) when ticks do not increase, the counts do not fit, or a value is not finite, or for
-  // Interpolation::spring, which has more to say. A cubic track needs two keys.
+  // Interpolation::spring: on_spring() makes those. A cubic track needs two keys.
   explicit Track(TickKeys keys);
 
   // The motion of a spring that follows these keys. Error(bad_input) for a frequency or damping ratio out of the limits
-  // above, and where there are no keys.
+  // above, and where there are no keys. A spring that the track already has is replaced.
   Track on_spring(const Spring& spring) const;
 
-  bool operator==(const Track&) const = default;
+  bool operator==(const Track&) const = default;  // springs: the same one, shared by copies; those made apart differ
   bool empty() const { return ticks_.empty(); }
   int width() const { return width_; }
   bool is_rotation() const { return rotation_; }
   Interpolation interpolation() const { return spring_ ? Interpolation::spring : interpolation_; }
-  std::int64_t first_tick() const { return ticks_.front(); }
-  std::int64_t last_tick() const { return ticks_.back(); }  // of the keys
-  // The end of what has to be shown: the last key; a spring's settling_seconds() after it, when it may still swing.
+  std::int64_t first_tick() const { return ticks_.front(); }  // this and what follows: of a track that is not empty
+  std::int64_t last_tick() const { return ticks_.back(); }    // of the keys
+  // The last key's tick; of a spring track the tick when it has settled to about 1/1000, at most 10 s after that key.
   std::int64_t end_tick() const;
-  // Writes width() values; the track is not empty. They are finite, except that a cubic or spring track with values
+  // Writes width() values. They are finite, except that a cubic or spring track with values
   // near the largest double may overflow. A rotation that passes exactly through 0 keeps the value of the key before.
   void evaluate(std::int64_t tick, double* out) const;
   // Contains what evaluate() writes for `component` at any tick, but for a few ulps of the largest key; not finite
@@ -147,10 +148,11 @@ class Track {
   // The keys, and the curve through them; of a spring the curve that it follows.
   std::size_t key_count() const { return ticks_.size(); }
   std::int64_t key_tick(std::size_t key) const { return ticks_[key]; }
-  const double* key_value(std::size_t key) const;
+  const double* key_value(std::size_t key) const;                     // its width() values, without tangents
   std::size_t key_before(std::int64_t tick) const;                    // the last key at or before the tick; else 0
   double seconds_from_key(std::size_t key, std::int64_t tick) const;  // tick >= key_tick(key)
-  // From the key to the next one as a polynomial in seconds, linear for linear rotations; constant after the last.
+  // From the key to the next one as a polynomial in seconds from the key; of linear rotations the chord, not the arc;
+  // constant for step, and after the last key.
   Cubic curve_from(std::size_t key, int component) const;
 
  private:
@@ -171,7 +173,7 @@ class Track {
 
 // ---- tangents -------------------------------------------------------------------------------------------------------
 //
-// Tangents for cubic keys that have none of their own.
+// For cubic keys that have none of their own.
 //
 // Where a key's neighbours are equally far away, the tangent is the slope between them (Catmull and Rom). Elsewhere it
 // is that of the parabola through the three keys (Bessel), limited as Fritsch and Carlson (1980) do: 0 where the values
@@ -179,7 +181,7 @@ class Track {
 // throw the curve out of their neighbourhood, as its steep slope would, and rising values give a rising curve. At the
 // ends the tangent is the slope to the only neighbour.
 
-// One tangent a key, in value per unit of time. `times` increase; as many values as times, at least 2.
+// One tangent a key, in value per unit of time. `times` increase; as many values as times, at least 2; not tested.
 std::vector<double> default_tangents(std::span<const double> times, std::span<const double> values);
 
 // The limited form at every key, evenly spaced or not: between two keys the curve never leaves the interval of their

@@ -26,25 +26,25 @@ void to_fp32(const Other&) = delete;
 
 // ---- composite transform --------------------------------------------------------------------------------------------
 //
-// Composite transforms: an ordered list of named steps that is printed, inverted and evaluated as a whole.
+// An ordered list of named steps that is printed, inverted and evaluated as a whole. (The Transform of batches, made
+// from one, is in batch.hpp.)
 //
-// Convention (docs/conventions.md): column vectors, right-handed. Steps apply in the order they are added: the first
-// one added meets the point first, so matrix() is Mn * ... * M2 * M1. Everything is composed in fp64; a caller that
-// needs fp32 rounds the finished matrix once (morphcl/transform.hpp). Angles are degrees and exact at multiples of 90
-// (morphcl/numerics.hpp).
+// Steps apply in the order they are added: the first one added meets the point first, so matrix() is
+// Mn * ... * M2 * M1. Everything is composed in fp64; a caller that needs fp32 rounds the finished matrix once
+// (to_fp32). Angles are degrees, exact at multiples of 90.
 //
 // Two readings: a step moves the object in a fixed coordinate system. The same words about the coordinate system under
 // a fixed object (translating or rotating the axes) mean the inverse map: inverse() of the composite is that reading.
 //
 // Errors: every adder throws Error(usage) for a NaN or infinite argument and, where named, for a degenerate one.
-// Method: morphcl/rotation.hpp. An axis is scaled by a power of two before it is normalised, so that its length does
-// not matter from 1e-300 to 1e300.
+// Method: rotation.hpp has that of rotations. An axis is scaled by a power of two before it is normalised, so that its
+// length does not matter from 1e-300 to 1e300.
 
 struct TransformStep {
   std::string name;    // "rotate_about_axis"
   std::string detail;  // "from (0, 0, 0) to (1, 0, 1), 30 degrees"
   glm::dmat4 matrix;   // affine
-  glm::dmat4 inverse;  // from the step's own parameters; by cofactors for shear and matrix
+  glm::dmat4 inverse;  // from the step's own parameters, by cofactors for shear and matrix; 1 where there is none
   bool invertible = true;
 };
 
@@ -61,9 +61,10 @@ class CompositeTransform {
   // x' = x + xy*y + xz*z, y' = y + yx*x + yz*z, z' = z + zx*x + zy*y
   CompositeTransform& shear(double xy, double xz, double yx, double yz, double zx, double zy);
   CompositeTransform& matrix_step(const glm::dmat4& affine);  // error when the last row is not 0 0 0 1
-  // A step of the caller's making: `matrix` is affine and `inverse` undoes it. Error when the matrix is not finite.
+  // A step of the caller's making: `matrix` is affine and `inverse` undoes it, which is not tested. Error when the
+  // matrix is not finite.
   CompositeTransform& add_step(TransformStep step);
-  CompositeTransform& append(const CompositeTransform& after);
+  CompositeTransform& append(const CompositeTransform& after);  // its steps meet the point after these
 
   const std::vector<TransformStep>& steps() const { return steps_; }
   glm::dmat4 matrix() const;           // error when the product overflows
@@ -95,20 +96,20 @@ CompositeTransform rotation_in_seven_steps(const glm::dvec3& from, const glm::dv
 
 // ---- inverse --------------------------------------------------------------------------------------------------------
 //
-// Inverses of affine maps, and the matrix that carries normals.
-//
 // Matrices are column-vector affine maps (last row 0 0 0 1) of finite entries. Cofactors are Kahan's differences of
 // products of columns scaled by powers of two, so that scales from 1e-300 to 1e300 neither overflow nor vanish.
 
 // Empty when the map is singular: when its determinant cannot be told from 0 after the rounding of its own evaluation
-// (8u times the product of the lengths of the columns), or when the inverse does not fit into fp64.
+// (8u64 times the product of the lengths of the columns), when the inverse does not fit into fp64, or when an entry is
+// not finite.
 std::optional<glm::dmat4> try_affine_inverse(const glm::dmat4& affine);
 template <class Other>
 void try_affine_inverse(const Other&) = delete;  // GLM would turn a 3 x 3 matrix into a 4 x 4 one
 
 // The same; throws Error(usage) where there is no inverse.
 glm::dmat4 affine_inverse(const glm::dmat4& affine);
-glm::dmat3 affine_inverse(const glm::dmat3& affine_2d);  // of the plane: morphcl/transform_2d.hpp
+glm::dmat3 affine_inverse(
+    const glm::dmat3& affine_2d);  // of the plane, see transform_2d.hpp; here so that it is not deleted
 template <class Other>
 void affine_inverse(const Other&) = delete;
 
@@ -134,8 +135,8 @@ struct Decomposition {
   glm::dmat3 rotation;  // orthonormal within 16u64, determinant +1
   glm::dvec3 shear;     // xy, xz, yz: x' = x + xy*y + xz*z, y' = y + yz*z
   glm::dvec3 scale;     // x and y positive; z negative for a mirroring map
-  // How far the parts put together are from the map: the largest difference of two entries of a column over the
-  // column's length. Less than 120u64.
+  // The largest difference between an entry of matrix() and of the map, over the length of its column. Less than
+  // 120u64.
   double residual = 0;
   // How much of a box the images of the axes span: |determinant| over the product of their lengths, 1 where they are
   // at right angles. The closer to 0, the closer the map is to a singular one, and the more an error of its entries

@@ -1,7 +1,8 @@
 // The plane's pipeline: world -> view -> NDC -> viewport with 3 x 3 matrices, and composite transforms of the plane.
 //
 // Column vectors (x, y, 1); angles in degrees, counter-clockwise, exact at multiples of 90. Steps apply in the order
-// they are added. What the headers composite_transform.hpp, window.hpp and viewport.hpp say holds here too.
+// they are added. What transform.hpp says of CompositeTransform and projection.hpp of Window and Viewport holds here
+// too.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -19,7 +20,8 @@ struct TransformStep2d {
   glm::dmat3 matrix;   // affine
 };
 
-// Every adder throws Error(usage) for a NaN or infinite argument, and where its matrix overflows.
+// Every adder throws Error(usage) for a NaN or infinite argument, and where its matrix overflows. There is no
+// inverse(): affine_inverse(matrix()).
 class CompositeTransform2d {
  public:
   CompositeTransform2d& translate(const glm::dvec2& offset);
@@ -44,11 +46,11 @@ class CompositeTransform2d {
 // map is singular or the inverse overflows.
 glm::dmat3 affine_inverse(const glm::dmat3& affine);
 
-// World -> view: the view's origin is `centre`, its axes are turned by `degrees`.
+// World -> view: the view's origin is `centre`, its axes are turned by `degrees`, counter-clockwise.
 glm::dmat3 world_to_view(const glm::dvec2& centre, double degrees);
-// View -> NDC: the window becomes [-1, 1] x [-1, 1].
+// View -> NDC: the window becomes [-1, 1] x [-1, 1]. Error(usage) for an empty or infinite one.
 glm::dmat3 view_to_ndc(const Window& window);
-// NDC -> pixels, y downwards, as Viewport::to_pixels.
+// NDC -> pixels, y downwards, as Viewport::to_pixels. Error(usage) for an empty or infinite one.
 glm::dmat3 ndc_to_pixels(const Viewport& viewport);
 // All three, the window widened to the viewport's proportions. Error(usage) for an empty or infinite window or
 // viewport.
