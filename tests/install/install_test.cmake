@@ -25,7 +25,7 @@ file(COPY ${SOURCE_DIR}/tests/install/external ${SOURCE_DIR}/demos/first_program
 file(RENAME ${folder}/first_program.cpp ${folder}/external/first_program.cpp)
 step(${CMAKE_COMMAND} --install ${BINARY_DIR} --prefix ${prefix})
 foreach(compiler IN LISTS COMPILERS)
-  step(${CMAKE_COMMAND} -S external -B build -G ${GENERATOR} --fresh -D CMAKE_BUILD_TYPE=Release
+  step(${CMAKE_COMMAND} -S external -B build -G ${GENERATOR} --fresh
        -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${prefix} -D HEADERS=${prefix}/include/morphcl
        -D MORPHCL_VERSION=${VERSION})
   step(${CMAKE_COMMAND} --build build)
