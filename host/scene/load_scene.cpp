@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <new>
-#include <optional>
 
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/fitted_camera.hpp"
@@ -40,20 +39,17 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   return scene;
 }
 
+// They are right where a scene of nothing else is valid.
 void check_options(const LoadOptions& options) {
-  const auto require = [](bool holds, const std::string& message) {
-    if (!holds) throw Error(ErrorKind::usage, "", message);
-  };
-  if (options.fps) {
-    const auto in_range = [](std::int64_t number) { return number >= 1 && number <= 1'000'000; };
-    require(in_range(options.fps->fps_numerator) && in_range(options.fps->fps_denominator),
-            fmt::format("a frame rate of {}/{} is asked for; both numbers must be 1 to 1000000",
-                        options.fps->fps_numerator, options.fps->fps_denominator));
+  Scene scene;
+  scene.timeline.time = options.fps.value_or(scene.timeline.time);
+  scene.image.width = options.width.value_or(scene.image.width);
+  scene.image.height = options.height.value_or(scene.image.height);
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::usage, "", error.message());
   }
-  for (const std::optional<int>& size : {options.width, options.height})
-    require(
-        !size || (*size >= 1 && *size <= max_image_size),
-        fmt::format("a width or height of {} is asked for; 1 to {} are possible", size.value_or(0), max_image_size));
 }
 
 Scene load(const std::string& path, const LoadOptions& options) {
