@@ -160,15 +160,15 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
         uint depth_bits[LANES];
         int tile[LANES], place[LANES];
         vstore16(as_uint16(depth), 0, depth_bits);
-        vstore16((y >> 6) * bins->tiles_x + (x >> 6), 0, tile);
-        vstore16(((y & 63) << 6) | (x & 63), 0, place);
+        vstore16((y >> TILE_BITS) * bins->tiles_x + (x >> TILE_BITS), 0, tile);
+        vstore16(((y & (TILE - 1)) << TILE_BITS) | (x & (TILE - 1)), 0, place);
         for (int half_vector = 0; half_vector < 2; half_vector++)
           for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
             const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
             bytes = without_lane(bytes, in_half);
             const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
             if (at >= bins->fragments.capacity * PAGE) continue;
-            bins->fragment_keys[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * 8);
+            bins->fragment_keys[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * PIECES);
             bins->fragment_places[at] = (ushort)place[lane];
           }
       }
@@ -232,7 +232,7 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
       const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
       bytes = without_lane(bytes, in_half);
       bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
-                         first_id + (uint)lane * 8, double_sided);
+                         first_id + (uint)lane * PIECES, double_sided);
     }
 }
 
@@ -242,7 +242,7 @@ static inline void bin_line_group(Bins* bins, global const DrawConstants* draw, 
   global const int4* records = vertices + (size_t)draw->first_vertex_group * LANES;
   for (uint lane = 0; lane < LANES; lane++) {
     const int4 a = records[start[lane]], b = records[start[lane + draw->index_pitch]];
-    if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * 8);
+    if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * PIECES);
   }
 }
 
@@ -295,7 +295,7 @@ COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict f
   for (uint order = groups.first; order < groups.end; order++) {
     global const DrawConstants* draw = &draws[draw_in_order(draws, frame)[order]];
     const uint group = order - draw->first_in_order;
-    const uint first_id = (draw->first_primitive_group + group) * LANES * 8;
+    const uint first_id = (draw->first_primitive_group + group) * LANES * PIECES;
     if (draw->flags & DRAW_LINES)
       bin_line_group(&bins, draw, indices, vertices, group * LANES, first_id);
     else
@@ -314,7 +314,7 @@ COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict f
     for (uint slot = first_slot; slot < end_slot; slot++) {
       const uint source = clipped[slot].source;
       bin_clipped(&bins, &draws[draw_of_primitive_group(draws, frame)[source / LANES]],
-                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clipped[slot].count, source * 8);
+                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clipped[slot].count, source * PIECES);
     }
     overflows = total > frame->clip_capacity;
   }

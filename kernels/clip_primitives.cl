@@ -7,7 +7,7 @@
 //      at first_clip_vertex + 8 * slot. Slots are in order of the primitives' numbers, whatever the number of
 //      work-items.
 // Steps: count_clipped counts a chunk's primitives; clip_primitives starts where the earlier chunks end and, for each
-//      primitive in order, 1 transforms its corners again, 2 cuts by the planes near, left, right, bottom, top, 3 snaps
+//      primitive in order, 1 transforms its corners again, 2 cuts by the planes, 3 snaps
 //      what is left.
 // The cut of an edge is computed from its inner to its outer end and depends on nothing else, so the two triangles at a
 // shared edge get the same bits; the plane's own coordinate is set, not computed.
@@ -87,12 +87,12 @@ static inline Corner source_corner(global const DrawConstants* draw, global cons
   return corner;
 }
 
-// Planes in order: near, left, right, bottom, top. Positive inside.
+// Positive inside.
 static inline float plane_distance(const Corner* c, int plane, global const FrameConstants* frame) {
-  if (plane == 0) return near_distance((float16)(c->z), (float16)(c->w), frame).s0;
-  if (plane == 1) return fma(frame->guard_x, c->w, c->x);
-  if (plane == 2) return fma(frame->guard_x, c->w, -c->x);
-  if (plane == 3) return fma(frame->guard_y, c->w, c->y);
+  if (plane == NEAR_PLANE) return near_distance((float16)(c->z), (float16)(c->w), frame).s0;
+  if (plane == LEFT_PLANE) return fma(frame->guard_x, c->w, c->x);
+  if (plane == RIGHT_PLANE) return fma(frame->guard_x, c->w, -c->x);
+  if (plane == BOTTOM_PLANE) return fma(frame->guard_y, c->w, c->y);
   return fma(frame->guard_y, c->w, -c->y);
 }
 
@@ -108,14 +108,14 @@ static inline Corner cut(const Corner* inner, const Corner* outer, float inner_d
   c.z = mix_exact_ends(inner->z, outer->z, t);
   c.w = mix_exact_ends(inner->w, outer->w, t);
   FOR_THREE(i) c.weight[i] = mix_exact_ends(inner->weight[i], outer->weight[i], t);
-  if (plane == 0) {
+  if (plane == NEAR_PLANE) {
     c.w = frame->camera.near_w;
     c.z = frame->camera.near_depth * c.w;
-  } else if (plane == 1) {
+  } else if (plane == LEFT_PLANE) {
     c.x = -frame->guard_x * c.w;
-  } else if (plane == 2) {
+  } else if (plane == RIGHT_PLANE) {
     c.x = frame->guard_x * c.w;
-  } else if (plane == 3) {
+  } else if (plane == BOTTOM_PLANE) {
     c.y = -frame->guard_y * c.w;
   } else {
     c.y = frame->guard_y * c.w;
@@ -170,7 +170,7 @@ COMPILED_ONCE void clip_chunk(uint chunk, global const FrameConstants* restrict 
       for (int i = 0; i < count; i++)
         corners[i] = source_corner(draw, precise_constants(frame), targets, mesh_data,
                                    record[i] - draw->first_vertex_group * LANES, i);
-      for (int plane = 0; plane < 5 && count > 0; plane++) {
+      for (int plane = 0; plane < CLIP_PLANES && count > 0; plane++) {
         count = cut_by_plane(corners, count, scratch, plane, frame);
         for (int i = 0; i < count; i++) corners[i] = scratch[i];
       }

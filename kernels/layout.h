@@ -36,10 +36,12 @@
 
 #include "camera.h"
 
-#define LANES 16         // of a vector; vertices or primitives in a group
-#define TILE 64          // pixels; also 64 x 64 = 4096 samples in a tile
-#define TILE_BLOCK 16    // pixels; a tile has 4 x 4 of them
-#define SUBPIXEL_BITS 8  // vertices are snapped to 1/256 pixel
+#define LANES 16  // of a vector; vertices or primitives in a group
+#define TILE_BITS 6
+#define TILE (1 << TILE_BITS)            // pixels
+#define TILE_BLOCK 16                    // pixels
+#define TILE_BLOCKS (TILE / TILE_BLOCK)  // in a row and in a column
+#define SUBPIXEL_BITS 8                  // vertices are snapped to 1/256 pixel
 #define SUBPIXELS (1 << SUBPIXEL_BITS)
 #define HALF_PIXEL (SUBPIXELS / 2)
 #define MAX_SUBPIXEL 0x1p23f     // snapped coordinates within the guard band are at most this
@@ -48,6 +50,8 @@
 #define PAGE 64                  // entries a page of the bins
 #define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
 #define CLIP_VERTICES 8          // a triangle clipped by five planes has at most 8 corners
+#define PIECE_BITS 3             // of an id: a primitive as it is, or a piece of what clipping left
+#define PIECES (1 << PIECE_BITS)
 #define VERTEX_GROUPS_PER_CHUNK 64
 
 #define NO_ID 0xffffffffu          // a sample that nothing covers
@@ -66,6 +70,14 @@
 #define DEPTH_FORMAT DEPTH_REVERSED_FLOAT
 #endif
 #define MAX_NORMALIZED_DEPTH 0x1p60f  // triangles that reach farther beyond the far plane are bent
+
+// The planes that primitives are clipped by, in this order.
+#define NEAR_PLANE 0
+#define LEFT_PLANE 1
+#define RIGHT_PLANE 2
+#define BOTTOM_PLANE 3
+#define TOP_PLANE 4
+#define CLIP_PLANES 5
 
 // Outcode bits: outside the near plane or a side of the guard band, or not finite.
 #define OUT_NEAR 1
@@ -175,7 +187,7 @@ typedef struct {
   ulong fragment_next;        // uint[chunk][page]
   ulong entry_next;           // uint[chunk][page]
   ulong entry_triangles;      // uint[chunk][page][entry]: index of a large triangle, perhaps with ENTIRE_TILE
-  ulong fragment_places;      // ushort[chunk][page][entry]: row << 6 | column in the tile
+  ulong fragment_places;      // ushort[chunk][page][entry]: row << TILE_BITS | column in the tile
 } BinsOffsets;
 
 typedef struct {

@@ -93,12 +93,12 @@ ALWAYS_INLINE void gather_cuts(const Shader* s, Lanes id, bool same, uint corner
   float cut[3][3][LANES];
   int is_cut[LANES];
   for (int lane = 0; lane < (same ? 1 : LANES); lane++) {
-    const uint piece = id.lane[lane] & 7u;
+    const uint piece = id.lane[lane] & (PIECES - 1u);
     is_cut[lane] = 0;
     if (piece == 0) continue;
     is_cut[lane] = -1;
     surface->any_cut = true;
-    const uint slot = slot_of(s, id.lane[lane] >> 3), local_corner[3] = {0, piece, piece + 1};
+    const uint slot = slot_of(s, id.lane[lane] >> PIECE_BITS), local_corner[3] = {0, piece, piece + 1};
     FOR_THREE(i) {
       global const float* weights = s->clipped[slot].weights[local_corner[i]];
       FOR_THREE(v) cut[i][v][lane] = weights[v];
@@ -120,7 +120,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
   if (draw->flags & DRAW_FLAT) {
-    const Lanes number = lanes_of(id.all >> 3u);
+    const Lanes number = lanes_of(id.all >> PIECE_BITS);
     fetch(s->face_colors, number.lane, same, &f0, &f1, &f2, &unused);
     surface->color.r = as_float16(f0);
     surface->color.g = as_float16(f1);
@@ -132,7 +132,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
   for (int lane = 0; lane < (same ? 1 : LANES); lane++) FOR_THREE(i)
   corner[i][lane] = vertex[i][lane] =
-      first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> 3) - first_number)];
+      first_vertex + s->indices[draw->indices + i * draw->index_pitch + ((id.lane[lane] >> PIECE_BITS) - first_number)];
   gather_cuts(s, id, same, corner, surface);
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
@@ -253,7 +253,7 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
   int16 waiting = ids != NO_ID;
   if (s->frame->only_faces) {
     const uint first_id = id.lane[first_lane(waiting)];
-    const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> 3u);
+    const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> PIECE_BITS);
     int16 r, g, b, unused;
     GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
     result.r = select(result.r, as_float16(r), waiting);

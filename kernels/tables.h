@@ -58,7 +58,7 @@ ALWAYS_INLINE global uint* vertex_chunk_status(global BinsHeader* bins, global c
 typedef struct {
   global uint *fragment_heads, *fragment_next;
   global ulong* fragment_keys;     // bits of depth << 32 | id
-  global ushort* fragment_places;  // row << 6 | column in the tile
+  global ushort* fragment_places;  // row << TILE_BITS | column in the tile
   global uint *entry_heads, *entry_next;
   global uint* entry_triangles;  // index into the chunk's large triangles, perhaps with ENTIRE_TILE
   global LargeTriangle* large;

@@ -33,8 +33,10 @@ typedef struct {
 } Tile;
 
 // The 4 x 4 blocks of a tile, one a lane.
-#define BLOCK_X ((int16)(0, 16, 32, 48, 0, 16, 32, 48, 0, 16, 32, 48, 0, 16, 32, 48))
-#define BLOCK_Y ((int16)(0, 0, 0, 0, 16, 16, 16, 16, 32, 32, 32, 32, 48, 48, 48, 48))
+#define BLOCK_X (LANE % TILE_BLOCKS * TILE_BLOCK)
+#define BLOCK_Y (LANE / TILE_BLOCKS * TILE_BLOCK)
+static inline int column_of(int block) { return (int)((uint)block % TILE_BLOCKS * TILE_BLOCK); }
+static inline int row_of(int block) { return (int)((uint)block / TILE_BLOCKS * TILE_BLOCK); }
 
 typedef struct {
   uint16 content;   // CLEAR, PER_PIXEL or the index of a large triangle
@@ -84,7 +86,7 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
     Depths low = NEAREST_DEPTH, high = FARTHEST_DEPTH;
     uint16 lowest_id = NO_ID;
     for (int y = 0; y < TILE_BLOCK; y++) {
-      const int at = ((block >> 2) * TILE_BLOCK + y) * ROW_VECTORS + (block & 3);
+      const int at = (row_of(block) + y) * ROW_VECTORS + column_of(block) / LANES;
       const Depths held = tile.depth[at];
       low = min(low, held);
       high = max(high, held);
@@ -188,7 +190,7 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
                                   TileDepth corner, Depth background, bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
-    const int column = (block & 3) * TILE_BLOCK, row = (block >> 2) * TILE_BLOCK;
+    const int column = column_of(block), row = row_of(block);
     if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, background);
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;

@@ -19,7 +19,7 @@ struct RawFrame {
   }
 
   std::byte* data;        // this and what follows as FrameBuffer has it
-  std::size_t row_bytes;  // 64 times this is a multiple of a page
+  std::size_t row_bytes;  // FrameBuffer::tile_side times this is a multiple of a page
   std::size_t bytes;
   std::size_t color_offset[4], depth_offset;  // of channels that the frame lacks: without meaning
   std::size_t notes_offset;

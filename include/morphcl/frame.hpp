@@ -26,7 +26,7 @@ constexpr float background_depth = 1e10f;  // Z where nothing is drawn
 // and an encoder need not look at them.
 class FrameBuffer {
  public:
-  static constexpr std::size_t tile_side = 64, block_side = 16;
+  static constexpr std::size_t tile_side = 64, block_side = 16;  // pixels
 
   // Pixels a side. A channel of the largest frame holds 2^30 elements.
   static constexpr int max_side = 32768;
@@ -79,13 +79,14 @@ class FrameBuffer {
 
   // The same of a block of 16 x 16 pixels.
   bool blank_block(int block_x, int block_y) const {
-    return any_blank_ && (note(block_x / 4, block_y / 4) >> (block_y % 4 * 4 + block_x % 4) & 1u) != 0;
+    constexpr int side = tile_side / block_side;
+    const int bit = block_y % side * side + block_x % side;
+    return any_blank_ && (note(block_x / side, block_y / side) >> bit & 1u) != 0;
   }
-  int blocks_x() const { return tiles_x() * 4; }
 
  private:
   friend struct RawFrame;
-  static constexpr std::uint32_t all_blocks = 0xffff;
+  static constexpr std::uint32_t all_blocks = 0xffff;  // of a tile: 4 x 4
   void forget_blank_tiles() { any_blank_ = false; }
   std::size_t padded_width() const { return static_cast<std::size_t>(tiles_x_) * tile_side; }
   std::size_t padded_rows() const { return static_cast<std::size_t>(tiles_y_) * tile_side; }

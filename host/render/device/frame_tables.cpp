@@ -58,7 +58,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
     constants.first_vertex_group = before.first_vertex_group + before.vertex_group_count;
     constants.first_primitive_group = before.first_primitive_group + before.primitive_group_count;
   }
-  constexpr std::size_t max_groups = (std::size_t{1} << 29) / layout::lanes - 1;
+  constexpr std::size_t max_groups = (std::size_t{1} << (32 - layout::piece_bits)) / layout::lanes - 1;
   if (std::size_t{constants.first_vertex_group} + constants.vertex_group_count > max_groups ||
       std::size_t{constants.first_primitive_group} + constants.primitive_group_count > max_groups)
     throw Error(ErrorKind::bad_input, "", "the frame has more than 536 million vertices or primitives");

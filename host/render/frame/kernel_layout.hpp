@@ -38,6 +38,16 @@ static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FL
               static_cast<int>(DepthFormat::fixed24) == DEPTH_FIXED_24 &&
               static_cast<int>(DepthFormat::fixed32) == DEPTH_FIXED_32);
 
+// The kernels lean on these.
+static_assert(TILE_BLOCK == LANES, "a row of a block is one vector");
+static_assert(TILE_BLOCKS * TILE_BLOCKS == LANES, "a tile's blocks are the lanes of one vector");
+static_assert(2 * TILE_BITS <= 16, "a place in a tile is a ushort");
+static_assert(CLIP_VERTICES <= PIECES, "the pieces of a clipped primitive have numbers");
+static_assert((PAGE & (PAGE - 1)) == 0, "entries of a page are counted by a mask");
+static_assert(LANES == 16, "vectors are float16 and int16");
+static_assert(2 * (TILE_BITS + SUBPIXEL_BITS) + 1 < 31, "edge values of triangles of a tile's size fit 32 bits");
+static_assert(MAX_SUBPIXEL * 4 * TILE <= 0x1p31f, "edge values in a tile fit 32 bits");
+
 inline constexpr int lanes = LANES;
 inline constexpr int tile = TILE;
 inline constexpr int tile_block = TILE_BLOCK;
@@ -47,6 +57,7 @@ inline constexpr int half_pixel = HALF_PIXEL;
 inline constexpr int small_pixels = SMALL_PIXELS;
 inline constexpr int page = PAGE;
 inline constexpr int clip_vertices = CLIP_VERTICES;
+inline constexpr int piece_bits = PIECE_BITS;
 inline constexpr int vertex_groups_per_chunk = VERTEX_GROUPS_PER_CHUNK;
 inline constexpr uint no_id = NO_ID;
 inline constexpr float max_subpixel = MAX_SUBPIXEL;

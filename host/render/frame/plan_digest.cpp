@@ -64,27 +64,43 @@ struct DrawKey {
 };
 static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 46 * 4);
 
+std::uint32_t count(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+// Every member is named here, so that the build stops at one that nobody has decided about.
+
+void add(Digester& digester, const EyeLight& light) {
+  const auto& [kind, vector, color, falloff] = light;
+  digester.add(LightKey{static_cast<std::uint32_t>(kind), falloff, vector, color});
+}
+
+void add(Digester& digester, const Draw& draw) {
+  // Left out: the object's number.
+  const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
+               vertex_colors, targets, accuracy, displaced] = draw;
+  digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading), double_sided, mirrored,
+                       vertex_colors | (displaced ? 2u : 0u), base_color, object_to_clip, object_to_eye, normal_to_eye,
+                       count(targets.size())});
+  for (const ActiveTarget& target : targets) digester.add(target);
+  if (displaced) digester.add(displaced->hash);
+  const VertexAccuracy plain;
+  const auto& [form, pivot, clip_rest, bounds, suffices] = accuracy ? *accuracy : plain;
+  digester.add(form);
+  if (form == VertexForm::pivot) digester.add(pivot);
+  if (form == VertexForm::two_float) digester.add(clip_rest);
+}
+
 }  // namespace
 
 PlanDigest pixel_digest(const FramePlan& plan) {
-  const auto count = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
+  // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
+  const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, color, depth, draws, draws_version,
+               lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices, keeps_blank_tiles,
+               world_to_eye, world_to_ndc] = plan;
   Digester digester;
-  digester.add(FrameKey{plan.width, plan.height, plan.color, plan.depth, static_cast<std::uint32_t>(plan.depth_format),
-                        plan.camera, plan.ambient, count(plan.lights.size()), count(plan.draws.size())});
-  for (const EyeLight& light : plan.lights)
-    digester.add(LightKey{static_cast<std::uint32_t>(light.kind), light.falloff, light.vector, light.color});
-  const VertexAccuracy plain;
-  for (const Draw& draw : plan.draws) {
-    digester.add(DrawKey{draw.mesh, static_cast<std::uint32_t>(draw.shading), draw.double_sided, draw.mirrored,
-                         draw.vertex_colors | (draw.displaced ? 2u : 0u), draw.base_color, draw.object_to_clip,
-                         draw.object_to_eye, draw.normal_to_eye, count(draw.targets.size())});
-    for (const ActiveTarget& target : draw.targets) digester.add(target);
-    if (draw.displaced) digester.add(draw.displaced->hash);
-    const VertexAccuracy& accuracy = draw.accuracy ? *draw.accuracy : plain;
-    digester.add(accuracy.form);
-    if (accuracy.form == VertexForm::pivot) digester.add(accuracy.pivot);
-    if (accuracy.form == VertexForm::two_float) digester.add(accuracy.clip_rest);
-  }
+  digester.add(FrameKey{width, height, color, depth, static_cast<std::uint32_t>(depth_format), camera, ambient,
+                        count(lights.size()), count(draws.size())});
+  for (const EyeLight& light : lights) add(digester, light);
+  for (const Draw& draw : draws) add(digester, draw);
   return digester.digest();
 }
 

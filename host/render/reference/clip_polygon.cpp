@@ -8,7 +8,13 @@ namespace morphcl::reference {
 
 namespace {
 
-enum Plane { near_plane, left_plane, right_plane, bottom_plane, top_plane };
+enum Plane {
+  near_plane = NEAR_PLANE,
+  left_plane = LEFT_PLANE,
+  right_plane = RIGHT_PLANE,
+  bottom_plane = BOTTOM_PLANE,
+  top_plane = TOP_PLANE
+};
 
 float plane_distance(const ClipPoint& p, Plane plane, const FramePlan& frame, const RasterGrid& grid) {
   switch (plane) {
@@ -51,7 +57,8 @@ Corner cut(const Corner& inner, const Corner& outer, float inner_distance, float
 
 std::vector<Corner> clip_polygon(std::vector<Corner> corners, const FramePlan& frame, const RasterGrid& grid) {
   const bool segment = corners.size() == 2;
-  for (const Plane plane : {near_plane, left_plane, right_plane, bottom_plane, top_plane}) {
+  for (int number = 0; number < CLIP_PLANES; ++number) {
+    const auto plane = static_cast<Plane>(number);
     std::vector<Corner> left;
     const auto keep = [&](const Corner& corner) {
       if (left.size() < layout::clip_vertices) left.push_back(corner);

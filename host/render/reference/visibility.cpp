@@ -12,8 +12,8 @@ namespace morphcl::reference {
 
 namespace {
 
-int first_pixel(int low) { return (low + 127) >> layout::subpixel_bits; }
-int last_pixel(int high) { return (high - 128) >> layout::subpixel_bits; }
+int first_pixel(int low) { return (low + layout::half_pixel - 1) >> layout::subpixel_bits; }
+int last_pixel(int high) { return (high - layout::half_pixel) >> layout::subpixel_bits; }
 
 class Rasterizer {
  public:
