@@ -130,13 +130,13 @@ void check_light(const Light& light, std::size_t index) {
 
 void validate(const MorphWeights& morph) { check_weights(morph); }
 
-void Timeline::validate() const {
-  check_time(time);
-  for (std::size_t i = 0; i < nodes.size(); ++i) check_node(nodes[i], i);
-  parents_first(nodes);
-  check_camera(camera, nodes.size());
-  for (std::size_t i = 0; i < lights.size(); ++i) check_light(lights[i], i);
-  check_finite(ambient, "ambient", "ambient");
+void validate(const Timeline& timeline) {
+  check_time(timeline.time);
+  for (std::size_t i = 0; i < timeline.nodes.size(); ++i) check_node(timeline.nodes[i], i);
+  parents_first(timeline.nodes);
+  check_camera(timeline.camera, timeline.nodes.size());
+  for (std::size_t i = 0; i < timeline.lights.size(); ++i) check_light(timeline.lights[i], i);
+  check_finite(timeline.ambient, "ambient", "ambient");
 }
 
 }  // namespace morphcl

@@ -157,6 +157,12 @@ Track Track::cubic(const TimeBase& time, const std::vector<VectorKey>& keys) {
   return Track(with_tangents(tick_keys(Interpolation::cubic, time, keys)));
 }
 
+bool Track::operator==(const Track& other) const {
+  return interpolation_ == other.interpolation_ && width_ == other.width_ && rotation_ == other.rotation_ &&
+         ticks_per_second_ == other.ticks_per_second_ && ticks_ == other.ticks_ && values_ == other.values_ &&
+         spring() == other.spring();
+}
+
 std::optional<Spring> Track::spring() const { return spring_ ? std::optional(spring_->spring()) : std::nullopt; }
 
 Track Track::on_spring(const Spring& spring) const {

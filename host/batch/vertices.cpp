@@ -28,7 +28,7 @@ bool overlap(std::span<const Real> a, std::span<const Real> b) {
 
 }  // namespace
 
-const char* name_of(VertexLayout layout) {
+std::string_view name_of(VertexLayout layout) {
   return layout == VertexLayout::separate ? "separate" : layout == VertexLayout::xyz ? "xyz" : "xyzw";
 }
 

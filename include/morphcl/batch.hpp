@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -75,7 +76,7 @@ constexpr std::size_t array_count(VertexLayout layout) { return layout == Vertex
 constexpr std::size_t reals_per_vertex(VertexLayout layout) {
   return layout == VertexLayout::separate ? 1 : layout == VertexLayout::xyz ? 3 : 4;
 }
-const char* name_of(VertexLayout layout);
+std::string_view name_of(VertexLayout layout);
 
 template <class Real>
 class Vertices {

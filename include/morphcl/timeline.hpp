@@ -104,13 +104,13 @@ struct Timeline {
   Camera camera;
   std::vector<Light> lights;
   glm::dvec3 ambient{0.05};  // scene-linear, lights everything
-
-  // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
-  // width, a camera node out of range, a constant that is not finite, a static_transform that is not affine, a rotation
-  // of length 0, a fovy or fovx track on a projection that has no such field of view, a degenerate projection (where
-  // tracks move it: at the frame).
-  void validate() const;
 };
+
+// Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
+// width, a camera node out of range, a constant that is not finite, a static_transform that is not affine, a rotation
+// of length 0, a fovy or fovx track on a projection that has no such field of view, a degenerate projection (where
+// tracks move it: at the frame).
+void validate(const Timeline& timeline);
 
 // Error(bad_input): a weight that is not finite, an Elastic out of its limits, a track that drives targets that do not
 // exist or is one of rotations.

@@ -40,6 +40,8 @@ struct TimeBase {
 struct Spring {
   double angular_frequency = 0;  // omega, radians per second; > 0
   double damping_ratio = 0;      // zeta >= 0: 1 is critical, below it rings
+
+  bool operator==(const Spring&) const = default;
 };
 
 // `frequency_hz`: cycles per second of the spring without damping.
@@ -124,7 +126,7 @@ class Track {
   // above, and where there are no keys. A spring that the track already has is replaced.
   Track on_spring(const Spring& spring) const;
 
-  bool operator==(const Track&) const = default;  // springs: the same one, shared by copies; those made apart differ
+  bool operator==(const Track& other) const;  // the same motion: equal keys, rule and spring
   bool empty() const { return ticks_.empty(); }
   int width() const { return width_; }
   bool is_rotation() const { return rotation_; }

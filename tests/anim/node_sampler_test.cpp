@@ -38,7 +38,7 @@ Timeline forest(unsigned seed, int count) {
     if (one_in(8)) node.scale_track = track(3, false, {1, 1, 1, number(), number(), number()});
     if (one_in(8)) node.visible_track = track(1, false, {number() + 0.5, number() + 0.5});
   }
-  timeline.validate();
+  validate(timeline);
   return timeline;
 }
 

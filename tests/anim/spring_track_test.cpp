@@ -195,6 +195,17 @@ TEST(SpringTrack, RangeContainsResonance) {
   EXPECT_LT(track.range(0).upper, 1.1 * max);
 }
 
+TEST(SpringTrack, AreEqualWhereKeysAndSpringAre) {
+  const Spring spring{5, 0.25};
+  const Track track = zigzag(spring, 10);
+  EXPECT_EQ(track, zigzag(spring, 10));  // made apart
+  EXPECT_NE(track, zigzag(spring, 11));
+  EXPECT_NE(track, zigzag({5, 0.5}, 10));
+  EXPECT_NE(track, zigzag({6, 0.25}, 10));
+  const TickKeys keys{Interpolation::linear, 1, false, second_ticks, {0, 1}, {0, 1}};
+  EXPECT_NE(Track(keys), Track(keys).on_spring(spring));
+}
+
 TEST(SpringTrack, BadSpringsAreErrors) {
   const auto refuses = [](const Spring& spring, Interpolation follows, const char* part) {
     expect_error([&] { Track({follows, 1, false, 24, {0, 1}, {0, 1}}).on_spring(spring); }, ErrorKind::bad_input, part);

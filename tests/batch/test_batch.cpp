@@ -131,7 +131,7 @@ Blend<Real> make_blend(std::size_t count, std::size_t matrix_count) {
 }
 
 template <class Real>
-void expect_same_bits(const Batch<Real>& actual, const Batch<Real>& expected, const std::string& what) {
+void expect_same_bits(const Batch<Real>& actual, const Batch<Real>& expected, std::string_view what) {
   using Bits = std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t>;
   for (std::size_t array = 0; array < array_count(expected.layout); ++array) {
     const auto &results = actual.arrays[array], &references = expected.arrays[array];
@@ -154,7 +154,7 @@ void expect_same_bits(const Batch<Real>& actual, const Batch<Real>& expected, co
   template std::vector<AffineRows<Real>> make_palette(std::size_t);                  \
   template std::vector<ProjectiveRows<Real>> make_projective_palette(std::size_t);   \
   template Blend<Real> make_blend(std::size_t, std::size_t);                         \
-  template void expect_same_bits(const Batch<Real>&, const Batch<Real>&, const std::string&);
+  template void expect_same_bits(const Batch<Real>&, const Batch<Real>&, std::string_view);
 FOR_REAL(float)
 FOR_REAL(double)
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/batch/transform.hpp"
@@ -65,6 +66,6 @@ Blend<Real> make_blend(std::size_t count, std::size_t matrix_count);
 
 // Adds a test failure at the first number whose bits differ; any NaN equals any other.
 template <class Real>
-void expect_same_bits(const Batch<Real>& actual, const Batch<Real>& expected, const std::string& what);
+void expect_same_bits(const Batch<Real>& actual, const Batch<Real>& expected, std::string_view what);
 
 }  // namespace morphcl::testing

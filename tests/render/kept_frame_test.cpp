@@ -41,7 +41,7 @@ Scene lively_scene(Shading shading) {
   timeline.camera.eye_track = steps(timeline, 3, {3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, 3, 2, 6, -4, 3, 5});
   timeline.lights[0].vector_track =
       steps(timeline, 3, {.4, .7, .9, .4, .7, .9, .4, .7, .9, .4, .7, .9, -.4, .7, .9, -.4, .7, .9, -.4, .7, .9});
-  timeline.validate();
+  validate(timeline);
   return scene;
 }
 

@@ -111,7 +111,7 @@ TEST(BoundsOverTime, HoldTheObjectAtEveryFrame) {
       if (kind == 1) node.rotation_track = random_track(random, 4, true, 1);
       if (kind == 2) node.scale_track = random_track(random, 3, false, 2);
     }
-    timeline.validate();
+    validate(timeline);
     const Box box{{2, 1, -0.1}, {2.1, 1.2, 0.1}};
     NodeSampler sampler(timeline.nodes);
     const std::optional<BoundedBox> bounds = bounds_over_time(timeline.nodes, sampler, nodes - 1, box);

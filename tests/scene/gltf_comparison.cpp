@@ -26,7 +26,7 @@ std::size_t compare_with_evaluator(const std::string& path) {
   Timeline timeline;
   timeline.time = time;
   timeline.nodes = model.nodes;
-  timeline.validate();
+  validate(timeline);
 
   std::size_t compared = 0;
   Real largest_error = 0;

@@ -101,7 +101,7 @@ void validate(const Scene& scene) {
     fail(fmt::format("an accuracy of {} pixels; a number from 0 is meant", scene.accuracy_pixels));
   if (!scene.frames.empty()) frame_numbers(scene.frames);
   for (const Mesh& mesh : scene.meshes) validate(mesh);
-  scene.timeline.validate();
+  validate(scene.timeline);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) check_object(scene, i);
 }
 

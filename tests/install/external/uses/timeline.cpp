@@ -2,6 +2,6 @@
 
 bool use_timeline() {
   const morphcl::Timeline timeline;
-  timeline.validate();
+  validate(timeline);
   return morphcl::evaluate(timeline, 3).frame == 3;
 }
