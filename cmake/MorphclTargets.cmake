@@ -9,6 +9,9 @@ target_compile_options(morphcl_warnings INTERFACE -Wall -Wextra -Wshadow -Wconve
                                                   $<$<BOOL:${MORPHCL_WARNINGS_AS_ERRORS}>:-Werror>)
 # GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
 target_compile_options(morphcl_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# In a unity build GCC takes sources for headers, whose types must not lean on unnamed namespaces.
+target_compile_options(morphcl_warnings INTERFACE
+                       $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 # Clang 19 takes what libstdc++ 12's stable_sort calls for a deprecated call of ours; GCC's own warning stays.
 target_compile_options(morphcl_warnings INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 

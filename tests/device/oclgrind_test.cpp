@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/device/run_device_child.hpp"
+#include "tests/device/warm_cache.hpp"
 
 namespace morphcl::testing {
 namespace {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "tests/device/run_device_child.hpp"
@@ -22,7 +23,9 @@ using testing::ChildResult;
 using testing::device_child_command;
 using testing::run_device_child;
 
-const std::vector<std::string> transform = {"arrays", "100"};  // three kernels of one program
+const std::vector<std::string> points = {"points", "100"};  // one kernel
+const std::vector<std::string> arrays = {"arrays", "100"};  // three kernels of one program, that of points among them
+constexpr std::size_t points_programs = 3, arrays_programs = 5;  // kernels, and 2 self-tests
 
 Environment with_cache(const fs::path& folder) { return {{"MORPHCL_CACHE_DIR", folder.string()}}; }
 
@@ -34,39 +37,63 @@ std::set<fs::path> files_with(const fs::path& folder, const std::string& extensi
   return files;
 }
 
+std::map<fs::path, fs::file_time_type> times_of_programs(const fs::path& folder) {
+  std::map<fs::path, fs::file_time_type> times;
+  for (const auto& file : files_with(folder, ".clbin")) times[file] = fs::last_write_time(file);
+  return times;
+}
+
 std::string expect_hash(const ChildResult& result) {
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_NE(result.value("hash"), "") << result.output;
   return result.value("hash");
 }
 
-// The hash without any cache: what every other run must give.
-const std::string& expected_hash() {
-  static const std::string hash = expect_hash(run_device_child(transform, {{"MORPHCL_CACHE_DIR", "-"}}));
-  return hash;
-}
+// What these tests share, since kernels take seconds to compile: hashes without any cache, which every other run must
+// give, and a cache that a run of points has filled.
+class ProgramCacheFolder : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    filled_ = std::make_unique<TemporaryFolder>();
+    points_hash_ = expect_hash(run_device_child(points, {{"MORPHCL_CACHE_DIR", "-"}}));
+    arrays_hash_ = expect_hash(run_device_child(arrays, {{"MORPHCL_CACHE_DIR", "-"}}));
+    EXPECT_EQ(expect_hash(run_device_child(points, with_cache(filled_->path()))), points_hash_);
+  }
+  static void TearDownTestSuite() { filled_.reset(); }
 
-TEST(ProgramCacheFolder, HoldsProgramsAndVerdictAfterARun) {
-  const TemporaryFolder cache;
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 5u);  // 3 batch transforms, 2 self-tests
-  EXPECT_EQ(files_with(cache.path(), ".verdict").size(), 1u);
-  EXPECT_EQ(files_with(cache.path(), ".tmp").size(), 0u);
+  void fill() const { fs::copy(filled_->path(), cache_.path(), fs::copy_options::recursive); }
+  void expect_points(const Environment& environment, const char* why = "") const {
+    EXPECT_EQ(expect_hash(run_device_child(points, environment)), points_hash_) << why;
+  }
+  void expect_arrays(const Environment& environment) const {
+    EXPECT_EQ(expect_hash(run_device_child(arrays, environment)), arrays_hash_);
+  }
+  const fs::path& cache() const { return cache_.path(); }
+
+ private:
+  static inline std::unique_ptr<TemporaryFolder> filled_;
+  static inline std::string points_hash_, arrays_hash_;
+  const TemporaryFolder cache_;
+};
+
+TEST_F(ProgramCacheFolder, HoldsProgramsAndVerdictAfterARun) {
+  fill();
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), points_programs);
+  EXPECT_EQ(files_with(cache(), ".verdict").size(), 1u);
+  EXPECT_EQ(files_with(cache(), ".tmp").size(), 0u);
   // A second run uses them as they are; PoCL's own cache went with the first.
-  std::map<fs::path, fs::file_time_type> written;
-  for (const auto& file : files_with(cache.path(), ".clbin")) written[file] = fs::last_write_time(file);
-  EXPECT_FALSE(fs::exists(cache / "pocl"));
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
-  for (const auto& [file, time] : written) EXPECT_EQ(fs::last_write_time(file), time) << file;
+  const auto written = times_of_programs(cache());
+  EXPECT_FALSE(fs::exists(cache() / "pocl"));
+  expect_points(with_cache(cache()));
+  EXPECT_EQ(times_of_programs(cache()), written);
 }
 
-TEST(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
-  const TemporaryFolder cache;
-  expect_hash(run_device_child(transform, with_cache(cache.path())));
+TEST_F(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
+  fill();
   const auto damage = [&](const char* how, auto change) {
     for (const char* kind : {".clbin", ".verdict"})
-      for (const auto& file : files_with(cache.path(), kind)) change(file);
-    EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash()) << how;
+      for (const auto& file : files_with(cache(), kind)) change(file);
+    expect_points(with_cache(cache()), how);
   };
   damage("cut", [](const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); });
   damage("emptied", [](const fs::path& file) { fs::resize_file(file, 0); });
@@ -75,67 +102,67 @@ TEST(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
     stream.seekp(static_cast<std::streamoff>(fs::file_size(file) / 2)).write("\xde\xad\xbe\xef", 4);
   });
   // Each was stored anew, so that one more run rewrites nothing.
-  std::map<fs::path, fs::file_time_type> written;
-  for (const auto& file : files_with(cache.path(), ".clbin")) written[file] = fs::last_write_time(file);
-  EXPECT_EQ(written.size(), 5u);
-  expect_hash(run_device_child(transform, with_cache(cache.path())));
-  for (const auto& [file, time] : written) EXPECT_EQ(fs::last_write_time(file), time) << file;
+  const auto written = times_of_programs(cache());
+  EXPECT_EQ(written.size(), points_programs);
+  expect_points(with_cache(cache()));
+  EXPECT_EQ(times_of_programs(cache()), written);
 }
 
 // A binary holds ready functions for the kernels that had run only; the others must not be compiled by every process.
-TEST(ProgramCacheFolder, TakesInKernelsThatLaterProcessesUseFirst) {
-  const TemporaryFolder cache;
-  expect_hash(run_device_child({"points", "100"}, with_cache(cache.path())));
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 3u);  // one kernel, 2 self-tests
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 5u);
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+TEST_F(ProgramCacheFolder, TakesInKernelsThatLaterProcessesUseFirst) {
+  fill();
+  expect_arrays(with_cache(cache()));
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), arrays_programs);
+  const auto written = times_of_programs(cache());
+  expect_arrays(with_cache(cache()));
+  EXPECT_EQ(times_of_programs(cache()), written);
 }
 
-TEST(ProgramCacheFolder, FourProcessesMayFillItAtOnce) {
-  const TemporaryFolder cache;
+TEST_F(ProgramCacheFolder, FourProcessesMayFillItAtOnce) {
   std::deque<ChildProcess> children;
   for (int i = 0; i < 4; ++i)
-    children.emplace_back(device_child_command(transform), testing::device_options(with_cache(cache.path())));
-  for (ChildProcess& child : children) EXPECT_EQ(expect_hash(testing::result_of(child)), expected_hash());
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 5u);
-  EXPECT_EQ(files_with(cache.path(), ".tmp").size(), 0u);
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+    children.emplace_back(device_child_command(points), testing::device_options(with_cache(cache())));
+  std::set<std::string> hashes;
+  for (ChildProcess& child : children) hashes.insert(expect_hash(testing::result_of(child)));
+  EXPECT_EQ(hashes.size(), 1u);
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), points_programs);
+  EXPECT_EQ(files_with(cache(), ".tmp").size(), 0u);
+  expect_points(with_cache(cache()));
 }
 
 // PoCL finds no device at all where its cache cannot be written; a temporary folder stands in and is cleared away.
-TEST(ProgramCacheFolder, ThatCannotBeWrittenIsNoError) {
+TEST_F(ProgramCacheFolder, ThatCannotBeWrittenIsNoError) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "tmp");
   std::ofstream(folder / "file") << "in the way";
   Environment environment = with_cache(folder / "file" / "cache");
   environment["TMPDIR"] = (folder / "tmp").string();
   environment["HOME"] = (folder / "file").string();
-  EXPECT_EQ(expect_hash(run_device_child(transform, environment)), expected_hash());
+  expect_points(environment);
   EXPECT_TRUE(fs::is_empty(folder / "tmp"));
 }
 
-TEST(ProgramCacheFolder, ThatMayOnlyBeReadIsUsed) {
-  const TemporaryFolder cache;
-  expect_hash(run_device_child(transform, with_cache(cache.path())));
-  const auto all = {cache.path(), cache / "programs"};
+TEST_F(ProgramCacheFolder, ThatMayOnlyBeReadIsUsed) {
+  fill();
+  const auto all = {cache(), cache() / "programs"};
   for (const auto& folder : all) fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_EQ(expect_hash(run_device_child(transform, with_cache(cache.path()))), expected_hash());
+  const auto written = times_of_programs(cache());
+  expect_points(with_cache(cache()));
+  EXPECT_EQ(times_of_programs(cache()), written);
   for (const auto& folder : all) fs::permissions(folder, fs::perms::owner_all);
 }
 
-TEST(ProgramCacheFolder, KernelLibrariesOfPoclDoNotMix) {
-  const TemporaryFolder cache;
-  expect_hash(run_device_child(transform, with_cache(cache.path())));
-  Environment environment = with_cache(cache.path());
+TEST_F(ProgramCacheFolder, KernelLibrariesOfPoclDoNotMix) {
+  fill();
+  Environment environment = with_cache(cache());
   environment["POCL_WORK_GROUP_METHOD"] = "loopvec";
-  expect_hash(run_device_child(transform, environment));
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 10u);
+  expect_points(environment);
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), 2 * points_programs);
   // The number of threads changes no code.
-  environment = with_cache(cache.path());
+  environment = with_cache(cache());
   environment["SLURM_CPUS_PER_TASK"] = "1";
-  expect_hash(run_device_child(transform, environment));
-  EXPECT_EQ(files_with(cache.path(), ".clbin").size(), 10u);
+  expect_points(environment);
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), 2 * points_programs);
 }
 
 }  // namespace

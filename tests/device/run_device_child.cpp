@@ -1,7 +1,5 @@
 #include "tests/device/run_device_child.hpp"
 
-#include <cstdlib>
-
 namespace morphcl::testing {
 
 using test_support::ChildProcess;
@@ -38,11 +36,6 @@ std::vector<std::string> device_child_command(const std::vector<std::string>& ar
   std::vector<std::string> command = {MORPHCL_DEVICE_CHILD};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
-}
-
-Environment warm_cache() {
-  const char* folder = std::getenv("MORPHCL_CACHE_DIR");
-  return {{"MORPHCL_CACHE_DIR", folder ? folder : "-"}};
 }
 
 ChildResult run_device_child(const std::vector<std::string>& arguments, const Environment& environment) {

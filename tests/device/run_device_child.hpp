@@ -28,7 +28,4 @@ ChildResult run_device_child(const std::vector<std::string>& arguments, const te
 
 std::vector<std::string> device_child_command(const std::vector<std::string>& arguments);
 
-// The kernel cache of this process for a child that need not start cold, or none.
-test_support::Environment warm_cache();
-
 }  // namespace morphcl::testing

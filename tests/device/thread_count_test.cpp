@@ -8,6 +8,7 @@
 
 #include "morphcl/error.hpp"
 #include "tests/device/run_device_child.hpp"
+#include "tests/device/warm_cache.hpp"
 
 namespace morphcl {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/device/kernel_libraries.hpp"
+#include "tests/device/warm_cache.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 using test_support::Environment;
 using test_support::TemporaryFolder;
 
-std::string frame_hashes(Environment environment, const TemporaryFolder& cache,
-                         const std::vector<std::string>& extra = {}) {
-  environment["MORPHCL_CACHE_DIR"] = (cache / "morphcl").string();
+std::string frame_hashes(const Environment& environment, const std::vector<std::string>& extra = {}) {
   std::vector<std::string> command = {MORPHCL_FRAME_HASHES, "150", "100"};
   command.insert(command.end(), extra.begin(), extra.end());
   // Of this process's variables the program sees PATH, HOME and TMPDIR only: none may choose a kernel library.
@@ -29,19 +28,24 @@ std::string frame_hashes(Environment environment, const TemporaryFolder& cache,
   return result.out;
 }
 
+std::string reference_hashes() { return frame_hashes({}, {"reference"}); }
+
 TEST(FrameHashes, AreThoseOfTheReferenceWithOneThreadAndWithTwo) {
-  const TemporaryFolder cache;
-  const std::string reference = frame_hashes({}, cache, {"reference"});
+  const std::string reference = reference_hashes();
   EXPECT_GT(std::count(reference.begin(), reference.end(), '\n'), 25);
-  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "1"}}, cache), reference);
-  EXPECT_EQ(frame_hashes({{"SLURM_CPUS_PER_TASK", "2"}}, cache), reference);
+  for (const char* threads : {"1", "2"}) {
+    Environment environment = testing::warm_cache();
+    environment["SLURM_CPUS_PER_TASK"] = threads;
+    EXPECT_EQ(frame_hashes(environment), reference) << threads;
+  }
 }
 
 TEST(FrameHashes, AreTheSameForEveryKernelLibrary) {
-  const std::string reference = frame_hashes({}, TemporaryFolder(), {"reference"});
+  const std::string reference = reference_hashes();
   for (const std::string& library : testing::kernel_libraries_that_run_here()) {
     const TemporaryFolder cache;  // of its own: PoCL's must not be shared between kernel libraries
-    EXPECT_EQ(frame_hashes({{"POCL_KERNELLIB_NAME", library}}, cache), reference) << library;
+    EXPECT_EQ(frame_hashes({{"MORPHCL_CACHE_DIR", cache.path().string()}, {"POCL_KERNELLIB_NAME", library}}), reference)
+        << library;
   }
 }
 
