@@ -32,10 +32,8 @@ MORPHCL_INLINED double cosine_of_octant(double degrees, const DoubleDouble& r) {
   return to_double(to_float_256(accurate_cosine(accurate_radians(degrees))));
 }
 
-}  // namespace
-
-MORPHCL_WITH_HARDWARE_FMA SinCos sin_cos_degrees(double degrees) {
-  if (!std::isfinite(degrees)) throw Error(ErrorKind::usage, "", "an angle is not a finite number; give it in degrees");
+// Of a finite number.
+MORPHCL_WITH_HARDWARE_FMA SinCos sin_cos_of_degrees(double degrees) {
   int quarter_turns = 0;
   const double rest = std::remquo(degrees, 90.0, &quarter_turns), size = std::abs(rest);
   const DoubleDouble r = radians_per_degree_double_double * size;
@@ -51,6 +49,13 @@ MORPHCL_WITH_HARDWARE_FMA SinCos sin_cos_degrees(double degrees) {
     default:
       return {-cos, sin + 0.0};
   }
+}
+
+}  // namespace
+
+SinCos sin_cos_degrees(double degrees) {
+  if (!std::isfinite(degrees)) throw Error(ErrorKind::usage, "", "an angle is not a finite number; give it in degrees");
+  return sin_cos_of_degrees(degrees);
 }
 
 double radians(double degrees) {
