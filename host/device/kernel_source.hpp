@@ -30,8 +30,8 @@ struct KernelSource {
 const std::vector<KernelSource>& kernel_sources();
 
 // Error(internal) when there is no such program, or kernel.
-const KernelSource& kernel_source(const std::string& stage);
-const KernelSource& kernel_source(const std::string& stage, const std::vector<KernelSource>& sources);
-const KernelSignature& signature_of(const KernelSource& source, const std::string& kernel);
+const KernelSource& kernel_source(std::string_view stage);
+const KernelSource& kernel_source(std::string_view stage, const std::vector<KernelSource>& sources);
+const KernelSignature& signature_of(const KernelSource& source, std::string_view kernel);
 
 }  // namespace morphcl
