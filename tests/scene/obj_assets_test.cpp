@@ -47,7 +47,7 @@ TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
   std::set<std::pair<int, int>> sides;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     std::size_t first = 0;
-    for (const unsigned char corners : shape.mesh.num_face_vertices) {
+    for (const unsigned int corners : shape.mesh.num_face_vertices) {
       // The corners of a face's triangles, whichever way it was cut, are the corners of the face.
       std::set<int> expected, actual_corners;
       for (std::size_t c = 0; c < corners; ++c) {
