@@ -242,7 +242,7 @@ ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels 
 }
 
 ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
-  return &s->draws[s->draw_of_group[id / (8 * LANES)]];
+  return &s->draws[s->draw_of_group[id / (PIECES * LANES)]];
 }
 
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
@@ -264,8 +264,8 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
   while (any_lane(waiting)) {
     const uint first_id = id.lane[first_lane(waiting)];
     global const DrawConstants* draw = draw_of(s, first_id);
-    const uint low = draw->first_primitive_group * (8 * LANES),
-               high = low + (draw->primitive_group_count * (8 * LANES) - 1);
+    const uint low = draw->first_primitive_group * (PIECES * LANES),
+               high = low + (draw->primitive_group_count * (PIECES * LANES) - 1);
     const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
     gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);

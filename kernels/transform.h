@@ -190,7 +190,9 @@ ALWAYS_INLINE Vertices transform_blended(global const real4* rows, uint matrix_c
     const uint16 matrix = convert_uint16(asked >> (ulong)(16 * k)) & (uint16)(0xffff);
     bad |= matrix > last;
     const Matrices m = gather_matrices(rows, min(matrix, last), kind);
-    sum = add_weighted(sum, weight_of[k], multiply(m, v, kind));
+    // With w, of affine matrices too, which do not use it: over a branch here LLVM 18 ends the process when PoCL 6
+    // makes a binary (PoCL issue 1608).
+    sum = add_weighted(sum, weight_of[k], multiply(m, v, TRANSFORM_PROJECTIVE));
   }
   return without_bad(after_multiplying(sum, v, kind), bad, bad_index);
 }

@@ -206,7 +206,7 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
         y[k] = v.screen.y;
         c[k] = normalized_depth(plan, far, plan->camera.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
       }
-      const Exact px = i % 128 * 256 + 128, py = i / 128 * 256 + 128;
+      const Exact px = pixel_centre(i % 128), py = pixel_centre(i / 128);
       const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((x[1] - x[0]) * (py - y[0]) - (y[1] - y[0]) * (px - x[0])) / area;

@@ -177,7 +177,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
       const float actual = frame.depth_row(row)[column];
       if (actual == background_depth) continue;
       ++covered;
-      const Exact px = column * 256 + 128, py = row * 256 + 128;
+      const Exact px = pixel_centre(column), py = pixel_centre(row);
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((py - y[0]) * (x[1] - x[0]) - (px - x[0]) * (y[1] - y[0])) / area;
       const Exact exact =
