@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -59,9 +60,18 @@ Error no_window(std::string_view what) {
                fmt::format("{} ({}); use --headless", what, printable(description ? description : "no reason given")));
 }
 
+// GLFW 3.4 tries Wayland first, whose library prints a line of its own where there is none.
+void choose_platform() {
+#if defined(GLFW_PLATFORM) && defined(__linux__)
+  const bool may_be_wayland = std::getenv("WAYLAND_DISPLAY") != nullptr || std::getenv("WAYLAND_SOCKET") != nullptr;
+  if (!may_be_wayland) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 }  // namespace
 
 Window::Window(const std::string& title, const Size& size) : impl_(std::make_unique<Impl>()) {
+  choose_platform();
   if (glfwInit() == GLFW_FALSE) throw no_window("no display");
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
