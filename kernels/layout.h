@@ -49,7 +49,7 @@
 #define SMALL_PIXELS 8           // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
 #define PAGE 64                  // entries a page of the bins
 #define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
-#define CLIP_VERTICES 8          // a triangle clipped by five planes has at most 8 corners
+#define CLIP_VERTICES 8          // corners at most of a triangle that all planes cut
 #define PIECE_BITS 3             // of an id: a primitive as it is, or a piece of what clipping left
 #define PIECES (1 << PIECE_BITS)
 #define VERTEX_GROUPS_PER_CHUNK 64

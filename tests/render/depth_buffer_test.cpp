@@ -7,6 +7,7 @@
 #include <random>
 
 #include "host/render/frame/frame_plan.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/reference/visibility.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/planner.hpp"

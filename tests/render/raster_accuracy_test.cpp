@@ -8,6 +8,7 @@
 #include <random>
 
 #include "host/render/frame/frame_plan.hpp"
+#include "host/render/frame/raster_grid.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/visibility.hpp"
 #include "morphcl/planner.hpp"

@@ -42,6 +42,7 @@ static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FL
 static_assert(TILE_BLOCK == LANES, "a row of a block is one vector");
 static_assert(TILE_BLOCKS * TILE_BLOCKS == LANES, "a tile's blocks are the lanes of one vector");
 static_assert(2 * TILE_BITS <= 16, "a place in a tile is a ushort");
+static_assert(CLIP_VERTICES == 3 + CLIP_PLANES, "each plane that cuts a triangle adds a corner");
 static_assert(CLIP_VERTICES <= PIECES, "the pieces of a clipped primitive have numbers");
 static_assert((PAGE & (PAGE - 1)) == 0, "entries of a page are counted by a mask");
 static_assert(LANES == 16, "vectors are float16 and int16");
