@@ -60,3 +60,22 @@ configure() {
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   cmake --preset "$1" --log-level=WARNING "${launcher[@]}" "${@:2}" >/dev/null
 }
+
+# lint BUILD PATHSPEC...: clang-tidy over these sources, by the units that a configured build compiles them in.
+lint() {
+  local build=$1 unit_of unread
+  local -a sources units
+  shift
+  mapfile -t sources < <(git ls-files "$@" | sed "s#^#$PWD/#" | sort)
+  mapfile -t units < <(sed -nE 's#^ *"file": "(.*)".*#\1#p' "$build/compile_commands.json" | sort -u)
+  # A unit is a source itself or a unity source, which includes some.
+  unit_of=$({ printf '%s\n' "${units[@]}" | sed 's/.*/& &/'
+              grep -Hs '^#include "/' "${units[@]}" | sed -E 's/^(.*):#include "(.*)"$/\2 \1/'; } | sort -u -k 1,1)
+  unread=$(comm -23 <(printf '%s\n' "${sources[@]}") <(cut -d ' ' -f 1 <<<"$unit_of"))
+  [[ -z $unread ]] || { echo "not compiled by $build, so not linted: $unread" >&2; return 1; }
+  mapfile -t units < <(join <(printf '%s\n' "${sources[@]}") - <<<"$unit_of" | cut -d ' ' -f 2 | sort -u)
+  say "lint of ${#sources[@]} files in ${#units[@]} units"
+  # The count of warnings in system headers, one line a file, is not worth printing.
+  printf '%s\n' "${units[@]}" |
+    xargs -P "$(nproc)" -n 1 clang-tidy-19 -p "$build" --quiet 2> >(grep -vE '^[0-9]+ warnings? generated' >&2 || true)
+}

@@ -101,7 +101,7 @@ std::unique_ptr<FrameBuffer> noise(bool depth) {
 }
 
 // `step` returns how many bytes came out.
-void add(const Picture& picture, const std::string& step_name, std::function<std::size_t()> step) {
+void add(const Picture& picture, const std::string& step_name, const std::function<std::size_t()>& step) {
   const std::string name =
       fmt::format("{}/{}/{}", picture.name, picture.frame->has_depth() ? "RGBA+Z" : "RGBA", step_name);
   const std::size_t bytes = pixel_bytes(*picture.frame);

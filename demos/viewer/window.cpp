@@ -17,6 +17,14 @@ struct Window::Impl {
   GLFWwindow* handle = nullptr;
   std::vector<KeyEvent> key_events;
   bool damaged = true;
+
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    if (handle != nullptr) glfwDestroyWindow(handle);
+    glfwTerminate();
+  }
 };
 
 namespace {
@@ -76,11 +84,7 @@ Window::Window(const std::string& title, const Size& size) : impl_(std::make_uni
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   impl_->handle = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
-  if (impl_->handle == nullptr) {
-    const Error error = no_window("no window with OpenGL on this display");
-    glfwTerminate();
-    throw error;
-  }
+  if (impl_->handle == nullptr) throw no_window("no window with OpenGL on this display");
   glfwSetWindowUserPointer(impl_->handle, impl_.get());
   glfwSetKeyCallback(impl_->handle, [](GLFWwindow* handle, int glfw_key, int scancode, int action, int) {
     const auto key = key_of(glfw_key, scancode);
@@ -94,10 +98,7 @@ Window::Window(const std::string& title, const Size& size) : impl_(std::make_uni
   glfwSwapInterval(1);
 }
 
-Window::~Window() {
-  glfwDestroyWindow(impl_->handle);
-  glfwTerminate();
-}
+Window::~Window() = default;
 
 bool Window::should_close() const { return glfwWindowShouldClose(impl_->handle) != GLFW_FALSE; }
 

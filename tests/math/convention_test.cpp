@@ -1,6 +1,8 @@
 #include "morphcl/convention.hpp"
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 #include "morphcl/projection.hpp"
 #include "morphcl/transform.hpp"
@@ -21,7 +23,8 @@ constexpr std::pair<const char*, Convention> conventions[] = {
     {"row_left_handed_zero_to_one", row_left_handed_zero_to_one},
     {"column_right_handed_zero_to_one", column_right_handed_zero_to_one}};
 
-bool same_bits(const glm::dmat4& a, const glm::dmat4& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+using Bits = std::array<std::uint64_t, 16>;
+bool same_bits(const glm::dmat4& a, const glm::dmat4& b) { return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b); }
 
 TEST(Convention, ThereAndBackRestoresEachBit) {
   Random random(171);

@@ -118,8 +118,9 @@ struct Pairs {
   static Mesh squares(const std::vector<float>& distances) {
     Mesh mesh;
     for (int i = 0; i < cells * cells; ++i) {
-      const float d = distances[i], r = 0.7f / cells, x = (2.0f * static_cast<float>(i % cells) + 1) / cells - 1,
-                  y = 1 - (2.0f * static_cast<float>(i / cells) + 1) / cells;
+      const int column = i % cells, row = i / cells;
+      const float d = distances[i], r = 0.7f / cells, x = (2.0f * static_cast<float>(column) + 1) / cells - 1,
+                  y = 1 - (2.0f * static_cast<float>(row) + 1) / cells;
       const auto first = static_cast<unsigned>(mesh.positions.size());
       for (const auto& [sx, sy] : {std::pair{-r, -r}, {r, -r}, {r, r}, {-r, r}})
         mesh.positions.push_back({(x + sx) * d, (y + sy) * d, -d});

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <random>
 
 #include "host/render/frame/frame_plan.hpp"
@@ -20,6 +22,10 @@ namespace morphcl::test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
+
+std::array<std::uint32_t, 4> bits_of(const reference::ClipPoint& p) {
+  return std::bit_cast<std::array<std::uint32_t, 4>>(p);
+}
 
 Exact round_half_even(const Exact& v) {
   const Exact low = floor(v), part = v - low;
@@ -131,11 +137,11 @@ TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
     ASSERT_EQ(forward.size(), backward.size());
     if (forward.size() != 2) continue;
     ++cut;
-    EXPECT_EQ(0, std::memcmp(&forward[0].clip, &backward[1].clip, sizeof forward[0].clip));
-    EXPECT_EQ(0, std::memcmp(&forward[1].clip, &backward[0].clip, sizeof forward[1].clip));
+    EXPECT_EQ(bits_of(forward[0].clip), bits_of(backward[1].clip));
+    EXPECT_EQ(bits_of(forward[1].clip), bits_of(backward[0].clip));
     const auto holds = [](const std::vector<reference::Corner>& polygon, const reference::ClipPoint& p) {
       return std::any_of(polygon.begin(), polygon.end(),
-                         [&](const reference::Corner& corner) { return std::memcmp(&corner.clip, &p, sizeof p) == 0; });
+                         [&](const reference::Corner& corner) { return bits_of(corner.clip) == bits_of(p); });
     };
     EXPECT_TRUE(holds(left, forward[1].clip) && holds(right, forward[1].clip)) << "edge " << i;
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "host/scene/obj/obj_import.hpp"
 #include "morphcl/mesh.hpp"
@@ -17,7 +18,7 @@ std::string asset(const std::string& name) { return std::string(std::getenv("MOR
 
 // No values, and so no tests, without the assets.
 std::vector<std::string> if_present(std::vector<std::string> names) {
-  return std::getenv("MORPHCL_ASSETS") ? names : std::vector<std::string>{};
+  return std::getenv("MORPHCL_ASSETS") ? std::move(names) : std::vector<std::string>{};
 }
 
 // tinyobjloader builds decimals step by step in fp64, off by some 1e-15, and rounds again: at most one fp32 step away.
