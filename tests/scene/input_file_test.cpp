@@ -42,6 +42,15 @@ TEST(ConfinedPath, StaysInTheFolderOfTheOwner) {
   EXPECT_EQ(confined_path(owner, "/b.bin", true, "here"), "/b.bin");
 }
 
+TEST(ConfinedPath, AnOwnerWithoutAFolderLiesInTheWorkingOne) {
+  const fs::path here = fs::canonical(fs::current_path());
+  for (const std::string owner : {"chair.obj", "./chair.obj"}) {
+    EXPECT_EQ(confined_path(owner, "none.mtl", false, "here"), (here / "none.mtl").string()) << owner;
+    EXPECT_EQ(confined_path(owner, "no/such/../none.mtl", false, "here"), (here / "no/none.mtl").string()) << owner;
+    expect_refusal([&] { confined_path(owner, "../none.mtl", false, "here"); }, ErrorKind::bad_input, "here", "leaves");
+  }
+}
+
 TEST(ConfinedPath, SymbolicLinksOfFoldersAreFollowed) {
   const test_support::TemporaryFolder folder;
   const std::string owner = folder.write("models/a.gltf", "");

@@ -120,7 +120,28 @@ TEST(ObjStatements, LineEndsCommentsAndContinuations) {
   EXPECT_EQ(statements.keyword(), "vn");
   EXPECT_EQ(statements.line(), 8u);
   EXPECT_EQ(statements.remainder(), "0\v1");
-  EXPECT_FALSE(statements.next()) << "a comment continues too";
+  ASSERT_TRUE(statements.next()) << "a comment ends with its line";
+  EXPECT_EQ(statements.keyword(), "last");
+  EXPECT_FALSE(statements.next());
+}
+
+TEST(ObjStatements, CommentsStartALineOrFollowABlank) {
+  ObjStatements statements("usemtl a#1 # b\\\n\t# c\\\nf 1 \\\n# d \\\nf 2#3\n#");
+  ASSERT_TRUE(statements.next());
+  EXPECT_EQ(statements.remainder(), "a#1");
+  ASSERT_TRUE(statements.next());
+  EXPECT_EQ(statements.line(), 3u);
+  EXPECT_EQ(statements.remainder(), "1");
+  ASSERT_TRUE(statements.next());
+  EXPECT_EQ(statements.remainder(), "2#3");
+  EXPECT_FALSE(statements.next());
+}
+
+TEST(ObjStatements, AByteOrderMarkIsSkipped) {
+  ObjStatements statements("\xEF\xBB\xBFv 1");
+  ASSERT_TRUE(statements.next());
+  EXPECT_EQ(statements.keyword(), "v");
+  EXPECT_FALSE(ObjStatements("\xEF\xBB\xBF").next());
 }
 
 }  // namespace

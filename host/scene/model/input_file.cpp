@@ -66,9 +66,12 @@ std::string confined_path(const std::string& owner, std::string_view reference, 
   if (relative.is_absolute()) outside(place, reference, "is an absolute path");
   if (has_scheme(reference)) outside(place, reference, "has a scheme or a drive");
   std::error_code code;
-  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, code);
+  // Made absolute first: weakly_canonical leaves the name of a missing file in the working folder relative.
+  const fs::path here = fs::current_path(code);
   if (code) throw Error(ErrorKind::cannot_read, place, code.message());
-  const fs::path target = fs::weakly_canonical(joined, code);
+  const fs::path root = fs::weakly_canonical(here / folder, code);
+  if (code) throw Error(ErrorKind::cannot_read, place, code.message());
+  const fs::path target = fs::weakly_canonical(here / joined, code);
   if (code)
     throw Error(ErrorKind::cannot_read, place, fmt::format("'{}': {}", reference.substr(0, 200), code.message()));
   if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end())

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
+#include "host/scene/obj/obj_colors.hpp"
 #include "host/scene/obj/obj_text.hpp"
 #include "morphcl/error.hpp"
 
@@ -18,6 +21,13 @@ namespace {
 constexpr std::array<std::string_view, 12> ignored = {
     "vt", "g", "o", "s", "mg", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
 
+constexpr std::int32_t no_such_normal = std::numeric_limits<std::int32_t>::max();
+
+bool has_direction(const glm::vec3& normal) {
+  const double length = glm::length(glm::dvec3(normal));
+  return length > 0 && std::isfinite(length);
+}
+
 class ObjParser {
  public:
   ObjParser(std::string_view text, const std::string& path, const ImportLimits& limits, ImportBudget& budget)
@@ -27,10 +37,14 @@ class ObjParser {
 
   ObjFile parse() {
     while (statements_.next()) read_statement();
-    check_indices();
-    if (file_.faces.empty())
+    if (file_.positions.empty())
       throw Error(ErrorKind::bad_input, file_.path, "holds no faces; a Wavefront .obj file with 'f' lines is needed");
-    if (file_.colors.size() != file_.positions.size()) file_.colors.clear();
+    check_indices();
+    check_normals();
+    file_.colors = colors_.finish(file_.positions.size(), file_.path, file_.warnings);
+    if (file_.small_faces > 0)
+      warn(fmt::format("{} faces of fewer than 3 corners are not drawn, the first at line {}", file_.small_faces,
+                       first_small_face_));
     return std::move(file_);
   }
 
@@ -39,6 +53,7 @@ class ObjParser {
     throw Error(ErrorKind::bad_input, fmt::format("{}:{}", file_.path, line), what);
   }
   [[noreturn]] void fail(std::string_view what) const { fail(statements_.line(), what); }
+  void warn(std::string_view what) { file_.warnings.push_back(fmt::format("{}: {}", printable(file_.path), what)); }
 
   void read_statement() {
     const std::string_view keyword = statements_.keyword();
@@ -72,33 +87,36 @@ class ObjParser {
     return *value;
   }
 
-  // x y z, then nothing, a weight w, or a colour r g b (after w, if both are there).
+  // x y z, then nothing, a weight w, or a colour.
   void read_position() {
-    std::array<float, 7> values{};
+    glm::vec3 position;
+    std::array<float, ObjColors::max_numbers> more{};
     std::size_t count = 0;
-    for (std::string_view word = statements_.word(); !word.empty(); word = statements_.word()) {
-      if (count == values.size()) fail("a vertex has at most 7 numbers");
-      values[count++] = number(word);
+    for (std::string_view word = statements_.word(); !word.empty(); word = statements_.word(), ++count) {
+      if (count == 3 + more.size()) fail("a vertex has at most 7 numbers");
+      if (count < 3)
+        position[static_cast<int>(count)] = number(word);
+      else
+        more[count - 3] = parse_float(word).value_or(std::numeric_limits<float>::quiet_NaN());
     }
     if (count < 3 || count == 5) fail(fmt::format("a vertex has 3, 4, 6 or 7 numbers, not {}", count));
+    if (count == 4 && std::isnan(more[0])) fail("the fourth of 4 numbers, the weight, is not a number");
     if (file_.positions.size() >=
         std::min<std::uint64_t>(limits_.max_vertices, std::numeric_limits<std::int32_t>::max()))
       fail(fmt::format("more than {} vertices", limits_.max_vertices));
     budget_.charge(1, sizeof(glm::vec3), file_.path);
-    file_.positions.emplace_back(values[0], values[1], values[2]);
-    if (count >= 6 && file_.colors.size() + 1 == file_.positions.size()) {
-      budget_.charge(1, sizeof(glm::vec3), file_.path);
-      file_.colors.emplace_back(values[count - 3], values[count - 2], values[count - 1]);
+    if (count >= 6) {
+      budget_.charge(1, ObjColors::bytes_each, file_.path);
+      colors_.add(file_.positions.size(), std::span(more).first(count - 3));
     }
+    file_.positions.push_back(position);
   }
 
+  // What is no normal keeps its place in the numbering.
   void read_normal() {
     glm::vec3 normal;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view word = statements_.word();
-      if (word.empty()) fail("a normal has 3 numbers");
-      normal[axis] = number(word);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      normal[axis] = parse_float(statements_.word()).value_or(std::numeric_limits<float>::quiet_NaN());
     if (file_.normals.size() >= limits_.max_vertices) fail(fmt::format("more than {} normals", limits_.max_vertices));
     budget_.charge(1, sizeof(glm::vec3), file_.path);
     file_.normals.push_back(normal);
@@ -114,7 +132,17 @@ class ObjParser {
     return static_cast<std::int32_t>(from_zero);
   }
 
-  // v, v/vt, v//vn or v/vt/vn
+  // One that does not exist is checked with the normals.
+  std::int32_t normal_index(std::string_view word, std::string_view corner) const {
+    const std::optional<std::int64_t> value = parse_integer(word);
+    if (!value) fail(fmt::format("'{}' is not a face corner: v, v/vt, v//vn or v/vt/vn", corner.substr(0, 60)));
+    const std::int64_t from_zero = *value > 0   ? *value - 1
+                                   : *value < 0 ? static_cast<std::int64_t>(file_.normals.size()) + *value
+                                                : -1;
+    return from_zero < 0 || from_zero >= no_such_normal ? no_such_normal : static_cast<std::int32_t>(from_zero);
+  }
+
+  // v, v/vt, v//vn or v/vt/vn; what is empty is absent.
   ObjCorner corner(std::string_view word) const {
     const std::size_t first = word.find('/');
     ObjCorner result;
@@ -125,8 +153,8 @@ class ObjParser {
     const std::string_view texture = rest.substr(0, second);
     if (!texture.empty() && !parse_integer(texture))
       fail(fmt::format("'{}' is not a face corner: v, v/vt, v//vn or v/vt/vn", word.substr(0, 60)));
-    if (second != std::string_view::npos)
-      result.normal = index(rest.substr(second + 1), file_.normals.size(), "normal");
+    if (second != std::string_view::npos && second + 1 < rest.size())
+      result.normal = normal_index(rest.substr(second + 1), word);
     return result;
   }
 
@@ -144,7 +172,12 @@ class ObjParser {
       file_.corners.push_back(corner(word));
     }
     face.count = static_cast<std::uint32_t>(file_.corners.size()) - face.first;
-    if (face.count < 3) fail(fmt::format("a face has 3 corners or more, not {}", face.count));
+    if (face.count < 3) {
+      if (file_.small_faces == 0) first_small_face_ = statements_.line();
+      ++file_.small_faces;
+      file_.corners.resize(face.first);
+      return;
+    }
     budget_.charge(1, sizeof(ObjFace), file_.path);
     file_.faces.push_back(face);
   }
@@ -165,10 +198,28 @@ class ObjParser {
         if (corner.position >= file_.positions.size())
           fail(face.line, fmt::format("vertex {} does not exist; the file has {}", corner.position + std::uint64_t{1},
                                       file_.positions.size()));
-        if (corner.normal >= static_cast<std::int64_t>(file_.normals.size()))
-          fail(face.line, fmt::format("normal {} does not exist; the file has {}", corner.normal + std::int64_t{1},
-                                      file_.normals.size()));
       }
+  }
+
+  // They decide how the faces are lit and no more: unless every corner has a direction, all go.
+  void check_normals() {
+    std::size_t absent = 0, wrong = 0;
+    for (const ObjCorner& corner : file_.corners) {
+      if (corner.normal < 0)
+        ++absent;
+      else if (static_cast<std::size_t>(corner.normal) >= file_.normals.size() ||
+               !has_direction(file_.normals[static_cast<std::size_t>(corner.normal)]))
+        ++wrong;
+    }
+    if (absent == 0 && wrong == 0) return;
+    if (wrong > 0)
+      warn(
+          fmt::format("the normals of {} of {} face corners are missing, zero or no numbers, so the faces are lit flat",
+                      wrong, file_.corners.size()));
+    else if (absent < file_.corners.size())
+      warn("some face corners have no normal, so the faces are lit flat");
+    file_.normals.clear();
+    for (ObjCorner& corner : file_.corners) corner.normal = -1;
   }
 
   ObjStatements statements_;
@@ -177,6 +228,8 @@ class ObjParser {
   ObjFile file_;
   std::int32_t material_ = -1;
   std::map<std::string, std::int32_t> material_indices_;
+  ObjColors colors_;
+  std::size_t first_small_face_ = 0;
 };
 
 }  // namespace

@@ -29,13 +29,15 @@ struct ObjFace {
 struct ObjFile {
   std::string path;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> colors;  // of `v x y z r g b`: one a position, or empty
-  std::vector<glm::vec3> normals;
+  std::vector<glm::vec3> colors;   // from 0 to 1, one a position; or empty
+  std::vector<glm::vec3> normals;  // of a length above 0; empty unless every corner has one
   std::vector<ObjCorner> corners;
-  std::vector<ObjFace> faces;                   // at least one
+  std::vector<ObjFace> faces;                   // may be empty
   std::vector<std::string> materials;           // names of usemtl, each once
-  std::vector<std::string> material_libraries;  // names of mtllib
+  std::vector<std::string> material_libraries;  // what follows mtllib: a name, or several
+  std::size_t small_faces = 0;                  // left out, as they have fewer than 3 corners
   std::vector<std::string> not_drawn;           // "lines", "statement surf"
+  std::vector<std::string> warnings;            // what was wrong and only matters to the looks: left out or mended
 };
 
 // Error(bad_input) at "path:line"; see obj_import.hpp. `text` is the file's content.

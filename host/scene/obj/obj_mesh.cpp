@@ -13,39 +13,45 @@ namespace morphcl {
 
 namespace {
 
-// A normal of length 0 has no direction and is lit from the front.
 glm::vec3 unit(const glm::dvec3& normal) {
   const double length = glm::length(normal);
-  return length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);
+  return length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);  // a target's normals may cancel each other
 }
 
-std::uint64_t vertex_key(const ObjCorner& corner, bool with_normals) {
-  return std::uint64_t{corner.position} << 32 | (with_normals ? static_cast<std::uint32_t>(corner.normal) : 0);
+std::uint64_t vertex_key(const ObjCorner& corner) {
+  return std::uint64_t{corner.position} << 32 | static_cast<std::uint32_t>(corner.normal);
 }
 
-bool every_corner_has_normal(const ObjFile& file) {
-  return std::all_of(file.corners.begin(), file.corners.end(), [](const ObjCorner& c) { return c.normal >= 0; });
-}
-
-void number_vertices(const ObjFile& file, bool with_normals, ObjMesh& result) {
+void number_vertices(const std::vector<ObjCorner>& corners, ObjMesh& result) {
   std::vector<std::uint64_t> keys;
-  keys.reserve(file.corners.size());
-  for (const ObjCorner& corner : file.corners) keys.push_back(vertex_key(corner, with_normals));
+  keys.reserve(corners.size());
+  for (const ObjCorner& corner : corners) keys.push_back(vertex_key(corner));
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   for (const std::uint64_t key : keys)
     result.vertices.push_back(
-        {static_cast<std::uint32_t>(key >> 32), with_normals ? static_cast<std::int32_t>(key & 0xFFFFFFFF) : -1});
-  for (const ObjCorner& corner : file.corners) {
-    const auto found = std::lower_bound(keys.begin(), keys.end(), vertex_key(corner, with_normals));
+        {static_cast<std::uint32_t>(key >> 32), static_cast<std::int32_t>(static_cast<std::uint32_t>(key))});
+  for (const ObjCorner& corner : corners) {
+    const auto found = std::lower_bound(keys.begin(), keys.end(), vertex_key(corner));
     result.corner_vertices.push_back(static_cast<std::uint32_t>(found - keys.begin()));
   }
 }
 
-void cut_faces(const ObjFile& file, ObjMesh& result) {
+std::vector<ObjCorner> corners_of(const ObjFile& file, const ObjPart& part) {
+  std::vector<ObjCorner> corners;
+  for (const std::uint32_t f : part.faces) {
+    const auto first = file.corners.begin() + file.faces[f].first;
+    corners.insert(corners.end(), first, first + file.faces[f].count);
+  }
+  return corners;
+}
+
+void cut_faces(const ObjFile& file, const ObjPart& part, ObjMesh& result) {
   std::vector<glm::vec3> polygon;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const ObjFace& face : file.faces) {
+  const std::uint32_t* vertex = result.corner_vertices.data();
+  for (const std::uint32_t f : part.faces) {
+    const ObjFace& face = file.faces[f];
     polygon.clear();
     triangles.clear();
     for (std::uint32_t c = 0; c < face.count; ++c)
@@ -54,13 +60,13 @@ void cut_faces(const ObjFile& file, ObjMesh& result) {
       throw Error(ErrorKind::bad_input, fmt::format("{}:{}", file.path, face.line),
                   fmt::format("this face of {} corners is not convex; at most {} corners are cut into triangles",
                               face.count, max_ear_clipping_corners));
-    const std::uint32_t* vertex = &result.corner_vertices[face.first];
     for (const auto& [a, b, c] : triangles) result.mesh.triangles.emplace_back(vertex[a], vertex[b], vertex[c]);
+    vertex += face.count;
   }
 }
 
 // The polygons' sides, each once by its positions: along a crease two vertices stand in one place.
-std::vector<glm::uvec2> polygon_sides(const ObjFile& file, const ObjMesh& result) {
+std::vector<glm::uvec2> polygon_sides(const ObjFile& file, const ObjPart& part, const ObjMesh& result) {
   struct Side {
     std::uint32_t low, high;  // positions
     glm::uvec2 vertices;
@@ -70,14 +76,18 @@ std::vector<glm::uvec2> polygon_sides(const ObjFile& file, const ObjMesh& result
     }
   };
   std::vector<Side> sides;
-  sides.reserve(file.corners.size());
-  for (const ObjFace& face : file.faces)
+  sides.reserve(result.corner_vertices.size());
+  const std::uint32_t* vertex = result.corner_vertices.data();
+  for (const std::uint32_t f : part.faces) {
+    const ObjFace& face = file.faces[f];
     for (std::uint32_t c = 0; c < face.count; ++c) {
-      std::uint32_t a = face.first + c, b = face.first + (c + 1) % face.count;
-      if (file.corners[a].position > file.corners[b].position) std::swap(a, b);
+      std::uint32_t a = c, b = (c + 1) % face.count;
+      if (file.corners[face.first + a].position > file.corners[face.first + b].position) std::swap(a, b);
       sides.push_back(
-          {file.corners[a].position, file.corners[b].position, {result.corner_vertices[a], result.corner_vertices[b]}});
+          {file.corners[face.first + a].position, file.corners[face.first + b].position, {vertex[a], vertex[b]}});
     }
+    vertex += face.count;
+  }
   std::sort(sides.begin(), sides.end());
   std::vector<glm::uvec2> edges;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -87,11 +97,32 @@ std::vector<glm::uvec2> polygon_sides(const ObjFile& file, const ObjMesh& result
   return edges;
 }
 
+}  // namespace
+
+std::vector<ObjPart> split_by_material(const ObjFile& file, ImportBudget& budget) {
+  budget.charge(file.faces.size(), sizeof(std::uint32_t), file.path);
+  budget.charge(file.materials.size() + 1, sizeof(ObjPart) + sizeof(std::size_t), file.path);
+  std::vector<ObjPart> parts;
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> part_of(file.materials.size() + 1, none);  // of material -1 first
+  for (std::size_t f = 0; f < file.faces.size(); ++f) {
+    const std::int32_t material = file.faces[f].material;
+    std::size_t& part = part_of[static_cast<std::size_t>(material + 1)];
+    if (part == none) {
+      part = parts.size();
+      parts.push_back({material, {}});
+    }
+    parts[part].faces.push_back(static_cast<std::uint32_t>(f));
+  }
+  return parts;
+}
+
 void check_topology(const ObjFile& file, const ObjFile& neutral) {
   if (file.positions.size() != neutral.positions.size())
     throw Error(ErrorKind::bad_input, file.path,
                 fmt::format("has {} vertices (v), but {} has {}; a morph target has as many", file.positions.size(),
                             neutral.path, neutral.positions.size()));
+  if (file.faces.empty()) return;  // positions alone
   for (std::size_t f = 0; f < file.faces.size(); ++f) {
     const ObjFace& face = file.faces[f];
     const std::string place = fmt::format("{}:{}", file.path, face.line);
@@ -113,41 +144,38 @@ void check_topology(const ObjFile& file, const ObjFile& neutral) {
                             neutral.path, neutral.faces.size()));
 }
 
-}  // namespace
-
-ObjMesh make_mesh(const ObjFile& file, ImportBudget& budget) {
+ObjMesh make_mesh(const ObjFile& file, const ObjPart& part, ImportBudget& budget) {
   ObjMesh result;
-  const bool with_normals = every_corner_has_normal(file);
-  result.dropped_normals = !with_normals && !file.normals.empty();
-  budget.charge(file.corners.size(), sizeof(std::uint64_t) + sizeof(ObjCorner) + sizeof(std::uint32_t), file.path);
-  number_vertices(file, with_normals, result);
+  const std::vector<ObjCorner> corners = corners_of(file, part);
+  budget.charge(corners.size(), sizeof(std::uint64_t) + 2 * sizeof(ObjCorner) + sizeof(std::uint32_t), file.path);
+  number_vertices(corners, result);
 
   Mesh& mesh = result.mesh;
+  const bool with_normals = !file.normals.empty();
   budget.charge(result.vertices.size(), 2 * sizeof(glm::vec3) + sizeof(glm::vec4), file.path);
   for (const ObjCorner& vertex : result.vertices) {
     mesh.positions.push_back(file.positions[vertex.position]);
     if (with_normals) mesh.normals.push_back(unit(file.normals[static_cast<std::size_t>(vertex.normal)]));
-    if (!file.colors.empty()) mesh.colors.emplace_back(glm::clamp(file.colors[vertex.position], 0.0f, 1.0f), 1.0f);
+    if (!file.colors.empty()) mesh.colors.emplace_back(file.colors[vertex.position], 1.0f);
   }
-  cut_faces(file, result);
-  const auto is_triangle = [](const ObjFace& face) { return face.count == 3; };
-  if (with_normals || !std::all_of(file.faces.begin(), file.faces.end(), is_triangle))
-    mesh.edges = polygon_sides(file, result);
+  cut_faces(file, part, result);
+  const auto is_triangle = [&](std::uint32_t face) { return file.faces[face].count == 3; };
+  if (with_normals || !std::all_of(part.faces.begin(), part.faces.end(), is_triangle))
+    mesh.edges = polygon_sides(file, part, result);
   return result;
 }
 
-MorphTarget make_target(const ObjFile& file, const ObjFile& neutral_file, const ObjMesh& neutral,
-                        ImportBudget& budget) {
-  check_topology(file, neutral_file);
+MorphTarget make_target(const ObjFile& file, const ObjPart& part, const ObjMesh& neutral, ImportBudget& budget) {
   budget.charge(neutral.vertices.size(), 2 * sizeof(glm::vec3) + sizeof(glm::dvec3), file.path);
   MorphTarget target;
   target.form = TargetForm::absolute;
   for (const ObjCorner& vertex : neutral.vertices) target.positions.push_back(file.positions[vertex.position]);
-  if (neutral.mesh.normals.empty() || !every_corner_has_normal(file)) return target;
+  if (neutral.mesh.normals.empty() || file.normals.empty()) return target;
 
   std::vector<glm::dvec3> sums(neutral.vertices.size());
-  for (std::size_t c = 0; c < file.corners.size(); ++c)
-    sums[neutral.corner_vertices[c]] += unit(file.normals[static_cast<std::size_t>(file.corners[c].normal)]);
+  const std::vector<ObjCorner> corners = corners_of(file, part);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    sums[neutral.corner_vertices[c]] += unit(file.normals[static_cast<std::size_t>(corners[c].normal)]);
   for (const glm::dvec3& sum : sums) target.normals.push_back(unit(sum));
   return target;
 }

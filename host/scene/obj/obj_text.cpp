@@ -23,6 +23,14 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
+// Names may hold a '#'.
+std::string_view without_comment(std::string_view line) {
+  std::size_t hash = line.find('#');
+  while (hash != std::string_view::npos && hash > 0 && blanks.find(line[hash - 1]) == std::string_view::npos)
+    hash = line.find('#', hash + 1);
+  return line.substr(0, hash);
+}
+
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
@@ -50,13 +58,18 @@ bool is_tiny(std::string_view word) {
 
 }  // namespace
 
+ObjStatements::ObjStatements(std::string_view text) : rest_(text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+}
+
 std::string_view ObjStatements::take_line() {
   const std::size_t end = std::min(rest_.find_first_of("\n\r"), rest_.size());
   const std::string_view line = rest_.substr(0, end);
   const bool crlf = end + 1 < rest_.size() && rest_[end] == '\r' && rest_[end + 1] == '\n';
   rest_.remove_prefix(std::min(end + (crlf ? 2 : 1), rest_.size()));
   ++lines_taken_;
-  return line;
+  return without_comment(line);
 }
 
 bool ObjStatements::next() {
@@ -73,7 +86,6 @@ bool ObjStatements::next() {
       joined_ += words_;
       words_ = joined_;
     }
-    words_ = words_.substr(0, words_.find('#'));
     keyword_ = take_word(words_);
     if (!keyword_.empty()) return true;
   }

@@ -9,10 +9,11 @@
 namespace morphcl {
 
 // Walks over the statements of a file: comments and blank lines are skipped, a line that ends in a backslash continues
-// on the next, and lines end in LF, CR LF or CR.
+// on the next, and lines end in LF, CR LF or CR. A comment starts with a '#' that begins a line or follows a blank, and
+// ends with its line, whatever stands before the end. A byte order mark at the start is skipped.
 class ObjStatements {
  public:
-  explicit ObjStatements(std::string_view text) : rest_(text) {}
+  explicit ObjStatements(std::string_view text);
 
   // Moves to the next statement; false at the end of the file.
   bool next();
@@ -25,7 +26,7 @@ class ObjStatements {
   std::string_view remainder() const;
 
  private:
-  std::string_view take_line();
+  std::string_view take_line();  // without its comment
 
   std::string_view rest_, keyword_, words_;
   std::string joined_;  // a statement of several lines

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace morphcl {
 
@@ -44,9 +44,42 @@ bool sees_all(const std::vector<glm::dvec2>& flat, std::size_t from) {
   return true;
 }
 
+// The corners along one axis, to find those near a triangle.
+class SortedCorners {
+ public:
+  SortedCorners(const std::vector<glm::dvec2>& flat, int axis) {
+    std::vector<std::pair<double, std::uint32_t>> sorted;
+    sorted.reserve(flat.size());
+    for (std::uint32_t i = 0; i < flat.size(); ++i) sorted.emplace_back(flat[i][axis], i);
+    std::sort(sorted.begin(), sorted.end());
+    for (const auto& [place, corner] : sorted) {
+      places_.push_back(place);
+      corners_.push_back(corner);
+    }
+  }
+
+  // Those from low to high.
+  std::span<const std::uint32_t> between(double low, double high) const {
+    const auto first = std::lower_bound(places_.begin(), places_.end(), low) - places_.begin();
+    const auto last = std::upper_bound(places_.begin(), places_.end(), high) - places_.begin();
+    return std::span(corners_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+  }
+
+ private:
+  std::vector<double> places_;
+  std::vector<std::uint32_t> corners_;
+};
+
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<glm::dvec2>& flat) : flat_(flat), previous_(flat.size()), next_(flat.size()) {
+  explicit EarClipper(const std::vector<glm::dvec2>& flat)
+      : flat_(flat),
+        along_x_(flat, 0),
+        along_y_(flat, 1),
+        previous_(flat.size()),
+        next_(flat.size()),
+        clipped_(flat.size()),
+        searches_(flat.size()) {
     const auto count = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       previous_[i] = (i + count - 1) % count;
@@ -54,48 +87,69 @@ class EarClipper {
     }
   }
 
-  // False when the work is not done after 16 looks at a corner for each pair of corners.
-  bool clip(std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    const std::size_t max_looks = 16 * flat_.size() * flat_.size();
+  void clip(std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::uint32_t at = 0;
     std::size_t left = flat_.size(), without_ear = 0;
     while (left > 3 && without_ear < left) {
-      if (looks_ > max_looks) return false;
       if (!is_ear(at)) {
         at = next_[at];
         ++without_ear;
         continue;
       }
-      triangles.push_back({previous_[at], at, next_[at]});
-      next_[previous_[at]] = next_[at];
-      previous_[next_[at]] = previous_[at];
-      at = next_[next_[at]];  // skipping a corner keeps the triangles from all meeting in one
+      const std::uint32_t before = previous_[at], after = next_[at];
+      triangles.push_back({before, at, after});
+      next_[before] = after;
+      previous_[after] = before;
+      clipped_[at] = true;
+      searches_[before].state = Search::fresh;
+      searches_[after].state = Search::fresh;
+      at = next_[after];  // skipping a corner keeps the triangles from all meeting in one
       --left;
       without_ear = 0;
     }
     for (std::uint32_t second = next_[at]; next_[second] != at; second = next_[second])
       triangles.push_back({at, second, next_[second]});
-    return true;
   }
 
  private:
+  // How far a corner has been looked at as an ear. It is kept until its triangle changes: corners are only ever taken
+  // away, so one that stood outside the triangle need not be looked at again.
+  struct Search {
+    enum { fresh, begun, reflex } state = fresh;
+    std::span<const std::uint32_t> others;  // begun: of those that may be in the triangle, the ones still to look at
+  };
+
+  void begin(Search& search, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) const {
+    if (!(signed_area(a, b, c) > 0)) {
+      search.state = Search::reflex;
+      return;
+    }
+    const glm::dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    const auto by_x = along_x_.between(low.x, high.x), by_y = along_y_.between(low.y, high.y);
+    search.others = by_x.size() < by_y.size() ? by_x : by_y;
+    search.state = Search::begun;
+  }
+
   // Convex, with no other corner inside its triangle or on its new side.
   bool is_ear(std::uint32_t at) {
-    const std::uint32_t before = previous_[at], after = next_[at];
-    const glm::dvec2 &a = flat_[before], &b = flat_[at], &c = flat_[after];
-    if (!(signed_area(a, b, c) > 0)) return false;
-    for (std::uint32_t other = next_[after]; other != before; other = next_[other]) {
-      ++looks_;
+    const glm::dvec2 &a = flat_[previous_[at]], &b = flat_[at], &c = flat_[next_[at]];
+    Search& search = searches_[at];
+    if (search.state == Search::fresh) begin(search, a, b, c);
+    if (search.state == Search::reflex) return false;
+    for (; !search.others.empty(); search.others = search.others.subspan(1)) {
+      const std::uint32_t other = search.others.front();
       const glm::dvec2& p = flat_[other];
-      if (p == a || p == b || p == c) continue;  // a slit to a hole visits its corners twice
+      if (clipped_[other] || p == a || p == b || p == c) continue;  // a slit to a hole visits its corners twice
       if (signed_area(a, b, p) >= 0 && signed_area(b, c, p) >= 0 && signed_area(c, a, p) >= 0) return false;
     }
     return true;
   }
 
   const std::vector<glm::dvec2>& flat_;
+  const SortedCorners along_x_, along_y_;
   std::vector<std::uint32_t> previous_, next_;
-  std::size_t looks_ = 0;
+  std::vector<bool> clipped_;
+  std::vector<Search> searches_;
 };
 
 void add_fan(std::size_t from, std::size_t count, std::vector<std::array<std::uint32_t, 3>>& triangles) {
@@ -120,10 +174,8 @@ bool triangulate_polygon(std::span<const glm::vec3> corners, std::vector<std::ar
       return true;
     }
   if (count > max_ear_clipping_corners) return false;
-  const std::size_t before = triangles.size();
-  if (EarClipper(flat).clip(triangles)) return true;
-  triangles.resize(before);
-  return false;
+  EarClipper(flat).clip(triangles);
+  return true;
 }
 
 }  // namespace morphcl
