@@ -37,6 +37,18 @@ const char* const examples = R"(Examples:
 Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
 69 no usable device, 73 the output cannot be created, 74 a write failed, 75 interrupted (run again with --resume).)";
 
+void add_model_options(CLI::App& command, SceneOptions& scene) {
+  const auto choice = [&command](const char* name, std::optional<std::string>& value, const char* help) {
+    command.add_option(name, value, help)->type_name("NAME|INDEX")->group("Input");
+  };
+  choice("--animation", scene.animation,
+         "Of a glTF model (morphcl info lists them); default: all, or the first where several move the same");
+  choice("--camera", scene.camera, "Of a glTF model; default: the first of its scene");
+  choice("--scene", scene.scene, "Of a glTF model; default: the file's own");
+  command.add_flag("--allow-outside", scene.allow_outside, "Let the shot or model use files outside its own folder")
+      ->group("Input");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& scene) {
   command.add_option("SCENE", scene.path, "Shot (.toml) or model (.gltf, .glb, .obj)")->required();
   const auto image = [&command](const char* name, std::optional<std::string>& value, const char* help) {
@@ -53,8 +65,7 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
                   "Frames per second, N or N/D, each 1 to 1000000; default: the shot's, 25 for a model")
       ->type_name("RATE")
       ->group("Time");
-  command.add_flag("--allow-outside", scene.allow_outside, "Let the shot or model use files outside its own folder")
-      ->group("Input");
+  add_model_options(command, scene);
 }
 
 void add_json_flag(CLI::App& command, bool& json) {
@@ -170,9 +181,8 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
 
 void add_info(CLI::App& app, InfoOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("info", "Show what a shot, a model or an EXR image holds");
-  command.add_option("FILE", options.path, ".toml, .gltf, .glb, .obj or .exr")->required();
-  command.add_flag("--allow-outside", options.allow_outside, "Let the shot or model use files outside its own folder")
-      ->group("Input");
+  command.add_option("FILE", options.scene.path, ".toml, .gltf, .glb, .obj or .exr")->required();
+  add_model_options(command, options.scene);
   add_json_flag(command, options.json);
   command.callback([&] { action = [&] { return info_command(options); }; });
 }

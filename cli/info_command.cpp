@@ -7,14 +7,10 @@
 namespace morphcl::cli {
 
 int info_command(const InfoOptions& options) {
-  if (std::filesystem::path(options.path).extension() == ".exr") {
-    print_image_info(options.path, options.json);
-  } else {
-    SceneOptions scene;
-    scene.path = options.path;
-    scene.allow_outside = options.allow_outside;
-    print_scene_info(open_scene(scene), options.json);
-  }
+  if (std::filesystem::path(options.scene.path).extension() == ".exr")
+    print_image_info(options.scene.path, options.json);
+  else
+    print_scene_info(open_scene(options.scene), options.json);
   return exit_done;
 }
 

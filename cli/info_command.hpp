@@ -6,8 +6,7 @@
 namespace morphcl::cli {
 
 struct InfoOptions {
-  std::string path;
-  bool allow_outside = false;
+  SceneOptions scene;  // its path may be an EXR image
   bool json = false;
 };
 

@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include <set>
+#include <algorithm>
 
 #include "anim/timeline_at.hpp"
 #include "cli/camera_info.hpp"
@@ -50,6 +50,30 @@ std::string target_names(const Mesh& mesh) {
   return names;
 }
 
+const char* kind_name(ModelPart::Kind kind) {
+  switch (kind) {
+    case ModelPart::Kind::animation:
+      return "animation";
+    case ModelPart::Kind::camera:
+      return "camera";
+    case ModelPart::Kind::scene:
+      return "scene";
+  }
+  return "scene";
+}
+
+// What can be chosen, so a single scene or camera need not be told.
+bool is_choice(const Scene& scene, const ModelPart& part) {
+  const auto alike = [&](const ModelPart& other) { return other.kind == part.kind && other.model == part.model; };
+  return part.kind == ModelPart::Kind::animation || std::count_if(scene.parts.begin(), scene.parts.end(), alike) > 1;
+}
+
+std::string part_text(const ModelPart& part) {
+  std::string text = fmt::format("{} '{}'", part.index, part.name);
+  if (part.kind == ModelPart::Kind::animation) text += fmt::format(", {:.6g} s", part.seconds);
+  return text + (part.used ? "" : ", not used");
+}
+
 // Standing at the first frame.
 NodeSampler first_nodes(const Scene& scene) {
   NodeSampler nodes(scene.timeline.nodes);
@@ -80,6 +104,12 @@ void print_json(const Scene& scene) {
                                               {"colors", !mesh.colors.empty()},
                                               {"targets", mesh.targets.size()},
                                               {"target_names", target_names(mesh)}})));
+  for (const ModelPart& part : scene.parts)
+    print_result(line_of(json_object(kind_name(part.kind), {{"model", part.model},
+                                                            {"index", part.index},
+                                                            {"name", part.name},
+                                                            {"seconds", part.seconds},
+                                                            {"used", part.used}})));
   NodeSampler nodes = first_nodes(scene);
   for (const Object& object : scene.objects)
     print_result(line_of(json_object("object", {{"name", object.name},
@@ -101,6 +131,8 @@ void print_table(const Scene& scene) {
   rows.push_back({"camera", camera.projection});
   rows.push_back({"window", camera.window});
   rows.push_back({"vanishing points", camera.vanishing_points});
+  for (const ModelPart& part : scene.parts)
+    if (is_choice(scene, part)) rows.push_back({kind_name(part.kind), printable(part_text(part))});
   for (const Mesh& mesh : scene.meshes) {
     std::string text =
         fmt::format("{}: {} vertices, {} triangles", mesh.name, mesh.positions.size(), mesh.triangles.size());

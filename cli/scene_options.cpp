@@ -10,6 +10,9 @@ namespace morphcl::cli {
 Scene open_scene(const SceneOptions& options) {
   LoadOptions load;
   load.allow_outside = options.allow_outside;
+  load.animation = options.animation;
+  load.camera = options.camera;
+  load.scene = options.scene;
   if (options.fps) load.fps = parse_fps(*options.fps);
   ImageSettings checked;  // so that a wrong option is reported before a large file is read
   if (options.size) {

@@ -10,12 +10,13 @@ namespace morphcl::cli {
 
 // What is absent stays as the shot has it.
 struct SceneOptions {
-  std::string path;                         // .toml, .gltf, .glb or .obj
-  std::optional<std::string> size;          // "1920x1080"
-  std::optional<std::string> channels;      // "RGBA,Z"
-  std::optional<std::string> compression;   // "zip"
-  std::optional<std::string> depth_buffer;  // "fixed24"
-  std::optional<std::string> fps;           // "25", "30000/1001"
+  std::string path;                                     // .toml, .gltf, .glb or .obj
+  std::optional<std::string> size;                      // "1920x1080"
+  std::optional<std::string> channels;                  // "RGBA,Z"
+  std::optional<std::string> compression;               // "zip"
+  std::optional<std::string> depth_buffer;              // "fixed24"
+  std::optional<std::string> fps;                       // "25", "30000/1001"
+  std::optional<std::string> animation, camera, scene;  // of a glTF model, by name or index
   bool allow_outside = false;
 };
 

@@ -6,7 +6,9 @@
 #include <new>
 
 #include "host/scene/gltf/gltf_import.hpp"
+#include "host/scene/model/authored_camera.hpp"
 #include "host/scene/model/fitted_camera.hpp"
+#include "host/scene/model/scene_warnings.hpp"
 #include "host/scene/obj/obj_import.hpp"
 #include "host/scene/shot/shot_file.hpp"
 #include "morphcl/error.hpp"
@@ -26,6 +28,7 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   Scene scene;
   scene.meshes = std::move(model.meshes);
   scene.objects = std::move(model.objects);
+  scene.parts = std::move(model.parts);
   scene.warnings = std::move(model.warnings);
   scene.content_hash = std::move(model.content_hash);
   scene.timeline.time = options.fps.value_or(TimeBase{});
@@ -34,7 +37,11 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   scene.image.width = options.width.value_or(scene.image.width);
   scene.image.height = options.height.value_or(scene.image.height);
   const bool has_camera = model.camera.has_value();
-  if (has_camera) scene.timeline.camera = *model.camera;
+  if (has_camera) {
+    scene.timeline.camera = *model.camera;
+    keep_authored_view(scene.timeline.camera, model.camera_aspect,
+                       static_cast<double>(scene.image.width) / scene.image.height);
+  }
   complete_scene(scene, {.camera = has_camera, .lights = !scene.timeline.lights.empty(), .frames = false});
   return scene;
 }
@@ -52,13 +59,23 @@ void check_options(const LoadOptions& options) {
   }
 }
 
+void refuse_choice(const LoadOptions& options, const std::string& path, std::string_view why) {
+  const char* given = options.animation ? "animation" : options.camera ? "camera" : options.scene ? "scene" : nullptr;
+  if (given) throw Error(ErrorKind::usage, path, fmt::format("--{} chooses from a glTF model; {}", given, why));
+}
+
 Scene load(const std::string& path, const LoadOptions& options) {
   const std::string extension = lower_case_extension(path);
   const TimeBase time = options.fps.value_or(TimeBase{});
   ImportLimits limits;
   limits.allow_outside = options.allow_outside;
+  const ModelChoice choice{options.animation, options.camera, options.scene};
+  if (extension == ".gltf" || extension == ".glb") return scene_of(import_gltf(path, time, limits, choice), options);
+  refuse_choice(options, path,
+                extension == ".toml" ? "a shot says so itself: animation and scene in an [[object]], "
+                                       "model and name in [camera]"
+                                     : "an .obj file holds none");
   if (extension == ".toml") return read_shot(path, options);
-  if (extension == ".gltf" || extension == ".glb") return scene_of(import_gltf(path, time, limits), options);
   if (extension == ".obj") return scene_of(import_obj(path, limits), options);
   throw Error(ErrorKind::usage, path, "not a scene; a .toml shot or a .gltf, .glb or .obj model is needed");
 }
@@ -71,6 +88,7 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
     Scene scene = load(path, options);
     scene.name = std::filesystem::path(path).stem().string();
     validate(scene);
+    warn_of_oddities(scene);
     return scene;
   } catch (const Error& error) {
     throw error.at(path);

@@ -65,6 +65,18 @@ struct ImageSettings {
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
 };
 
+// Something of which a model file may hold several; one is used. Animations that move different things are used
+// together.
+struct ModelPart {
+  enum class Kind { animation, camera, scene };
+  std::string model;  // the file
+  Kind kind = Kind::animation;
+  int index = 0;  // in the file
+  std::string name;
+  double seconds = 0;  // an animation's last key
+  bool used = false;
+};
+
 struct Scene {
   std::string name;  // stem of the file, used for the default output pattern
   std::vector<Mesh> meshes;
@@ -75,6 +87,7 @@ struct Scene {
   // plain fp32. Where nothing is known to keep it the best is done, and explain() says so.
   double accuracy_pixels = 0;
   std::vector<FrameRange> frames;     // for run(), unless the job lists its own; empty: none
+  std::vector<ModelPart> parts;       // of the model files that were read
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
   std::string content_hash;           // hex xxh3-128 of every byte read for this scene; "" for one made in code
 
@@ -102,6 +115,10 @@ struct LoadOptions {
   bool allow_outside = false;                  // files may lie outside the folder of the file that names them
   std::optional<TimeBase> fps = {};            // overrides the file's frames per second; 25 where neither says
   std::optional<int> width = {}, height = {};  // pixels; override the file's
+  // Of a glTF model: by name, else by the file's index from 0. Otherwise the first animation is played, all of them
+  // when no two move the same; the camera is the first of the drawn nodes; the scene is the file's own, else its first.
+  // A shot says so itself, for each object.
+  std::optional<std::string> animation = {}, camera = {}, scene = {};
 };
 
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw

@@ -6,6 +6,7 @@
 #include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
 #include "tests/scene/gltf_comparison.hpp"
+#include "tests/scene/import_error.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -88,17 +89,83 @@ TEST_F(GltfAnimation, OneAnimatedNodeMovesAllItsPrimitives) {
   EXPECT_EQ(model.objects[2].morph.tracks.size(), 0u) << "another node of the same mesh";
 }
 
-TEST_F(GltfAnimation, AnimationsAreMergedAndTheFirstOfTwoWins) {
+TEST_F(GltfAnimation, AnimationsThatMoveDifferentThingsArePlayedTogether) {
   GltfBuilder file = triangle_file();
-  const int times = file.floats({0}, "SCALAR");
-  file.animation(0, "translation", times, file.floats({1, 0, 0}, "VEC3"));
-  file.animation(0, "translation", times, file.floats({2, 0, 0}, "VEC3"));
-  file.animation(0, "scale", times, file.floats({3, 3, 3}, "VEC3"));
+  file.animation(0, "translation", file.floats({0}, "SCALAR"), file.floats({1, 0, 0}, "VEC3"));
+  file.animation(0, "scale", file.floats({2}, "SCALAR"), file.floats({3, 3, 3}, "VEC3"));
   const ImportedModel model = import(file);
   EXPECT_EQ(value_at(model.nodes[0].translation_track, 0)[0], 1);
   EXPECT_EQ(value_at(model.nodes[0].scale_track, 0)[0], 3);
+  EXPECT_TRUE(model.warnings.empty());
+  ASSERT_EQ(model.parts.size(), 2u);
+  for (const ModelPart& part : model.parts) EXPECT_TRUE(part.used);
+}
+
+TEST_F(GltfAnimation, OfAnimationsThatMoveTheSameOneIsPlayed) {
+  GltfBuilder file = triangle_file();
+  const auto clip = [&](const char* name, const char* path, float last, std::vector<float> value) {
+    file.animation(0, path, file.floats({last}, "SCALAR"), file.floats(value, "VEC3"));
+    file.json["animations"].back()["name"] = name;
+  };
+  clip("Walk", "translation", 1, {1, 0, 0});
+  clip("Run", "scale", 2, {2, 2, 2});
+  clip("Jump", "scale", 3, {3, 3, 3});
+  const ImportedModel first = import(file);
+  EXPECT_EQ(value_at(first.nodes[0].translation_track, 0)[0], 1);
+  EXPECT_TRUE(first.nodes[0].scale_track.empty()) << "a pose that no clip holds";
+  EXPECT_EQ(first.duration_seconds, 1);
+  ASSERT_EQ(first.warnings.size(), 1u);
+  EXPECT_NE(first.warnings[0].find("0 'Walk', 1 'Run', 2 'Jump'"), std::string::npos) << first.warnings[0];
+
+  const std::string path = file.write(folder);
+  for (const std::string wanted : {"Jump", "2"}) {
+    const ImportedModel chosen = import_gltf(path, TimeBase{}, {}, {.animation = wanted});
+    EXPECT_TRUE(chosen.nodes[0].translation_track.empty()) << wanted;
+    EXPECT_EQ(value_at(chosen.nodes[0].scale_track, 0)[0], 3) << wanted;
+    EXPECT_EQ(chosen.duration_seconds, 3) << wanted;
+    EXPECT_TRUE(chosen.warnings.empty()) << wanted;
+    const ModelPart& last = chosen.parts.back();
+    EXPECT_EQ(last.kind, ModelPart::Kind::animation);
+    EXPECT_EQ(last.name, "Jump");
+    EXPECT_EQ(last.seconds, 3);
+    EXPECT_TRUE(last.used);
+    EXPECT_FALSE(chosen.parts[chosen.parts.size() - 2].used);
+  }
+  for (const std::string wanted : {"jump", "3", "-1", "1.0", ""})
+    expect_refusal([&] { import_gltf(path, TimeBase{}, {}, {.animation = wanted}); }, ErrorKind::usage, path,
+                   "there is no animation '" + wanted + "'; the file has 0 'Walk', 1 'Run', 2 'Jump'");
+}
+
+TEST_F(GltfAnimation, ChannelsOfOneAnimationThatMoveTheSame) {
+  GltfBuilder file = triangle_file();
+  const int times = file.floats({0}, "SCALAR");
+  file.animation(0, "translation", times, file.floats({1, 0, 0}, "VEC3"));
+  const auto channel = file.json["animations"][0]["channels"][0];
+  file.json["animations"][0]["channels"].push_back(channel);
+  const ImportedModel model = import(file);
+  EXPECT_EQ(value_at(model.nodes[0].translation_track, 0)[0], 1);
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_EQ(model.warnings[0], "values driven by several animation channels: 1; the first channel of each is used");
+}
+
+TEST_F(GltfAnimation, TimesBelowZeroArePlayedFromZeroOn) {
+  GltfBuilder file = triangle_file();
+  file.animate(0, "translation", {-1, 1}, {0, 0, 0, 4, 0, 0});
+  const ImportedModel model = import(file);
+  EXPECT_EQ(value_at(model.nodes[0].translation_track, 0)[0], 2);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("key times start at -1 s; the motion is played from 0 on"), std::string::npos);
+}
+
+TEST_F(GltfAnimation, OfKeysOfOneTimeTheLastIsUsed) {
+  GltfBuilder file = triangle_file();
+  file.animate(0, "translation", {0, 1, 1, 2}, {0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0});
+  const ImportedModel model = import(file);
+  const Track& track = model.nodes[0].translation_track;
+  EXPECT_EQ(value_at(track, TimeBase{}.ticks_per_second())[0], 5);
+  EXPECT_EQ(value_at(track, TimeBase{}.ticks_per_second() / 2)[0], 2.5);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("1 keys have the time of the one before"), std::string::npos);
 }
 
 TEST_F(GltfAnimation, KeysWithinOneTickBecomeTheLastOfThem) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include "host/scene/gltf/gltf_import.hpp"
@@ -259,14 +260,8 @@ TEST_F(GltfBadInput, AnimationSamplerCountMismatch) {
 
 TEST_F(GltfBadInput, AnimationTimesThatDoNotIncrease) {
   GltfBuilder file = triangle_file();
-  file.animate(0, "translation", {0, 0.5f, 0.5f}, std::vector<float>(9));
-  expect_bad(file, "accessors[1]", "key 1 is at 0.5 s, key 2 at 0.5 s; times must increase");
-}
-
-TEST_F(GltfBadInput, AnimationTimeBelowZero) {
-  GltfBuilder file = triangle_file();
-  file.animate(0, "translation", {-1}, {0, 0, 0});
-  expect_bad(file, "accessors[1]", "key 0 is at -1 s");
+  file.animate(0, "translation", {0, 0.5f, 0.25f}, std::vector<float>(9));
+  expect_bad(file, "accessors[1]", "key 1 is at 0.5 s, key 2 at 0.25 s; times must increase");
 }
 
 TEST_F(GltfBadInput, AnimationTimeBeyondTheTicks) {
@@ -314,6 +309,62 @@ TEST_F(GltfBadInput, UnknownRequiredExtension) {
   GltfBuilder file = triangle_file();
   file.json["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_draco_mesh_compression"};
   expect_bad(file, "extensionsRequired[1]", "'KHR_draco_mesh_compression' is required");
+  for (const char* name : {"EXT_meshopt_compression", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
+                           "KHR_animation_pointer", "KHR_gaussian_splatting"}) {
+    file.json["extensionsRequired"] = {name};
+    expect_bad(file, "extensionsRequired[0]", std::string(name) + "' is required");
+  }
+}
+
+TEST_F(GltfBadInput, RequiredExtensionsOfLooksAreNamed) {
+  for (const char* name : {"KHR_materials_clearcoat", "EXT_texture_avif", "MSFT_texture_dds", "KHR_audio", "VRM",
+                           "KHR_xmp_json_ld", "EXT_lights_image_based", "ACME_notes"}) {
+    GltfBuilder file = triangle_file();
+    file.json["extensionsRequired"] = {name};
+    file.json["extensions"] = {{name, nlohmann::json::object()}};
+    const ImportedModel model = import_gltf(file.write(folder), TimeBase{});
+    EXPECT_EQ(model.objects.size(), 1u) << name;
+    EXPECT_EQ(model.warnings, std::vector<std::string>{std::string("not drawn: extension ") + name});
+  }
+}
+
+// Nobody knows what it does, so where it stands decides.
+TEST_F(GltfBadInput, UnknownRequiredExtensionWhereGeometryIs) {
+  const nlohmann::json extension = {{"ACME_fur", nlohmann::json::object()}};
+  const auto with = [](const std::function<void(nlohmann::json&)>& change) {
+    GltfBuilder file = triangle_file();
+    file.json["extensionsRequired"] = {"ACME_fur"};
+    change(file.json);
+    return file;
+  };
+  const auto place = [](const std::string& where) { return "is not known; it stands in " + where; };
+  for (const char* array : {"nodes", "meshes", "accessors", "bufferViews"})
+    expect_bad(with([&](nlohmann::json& json) { json[array][0]["extensions"] = extension; }), "extensionsRequired[0]",
+               place(std::string(array) + "[0]"));
+  expect_bad(with([&](nlohmann::json& json) { json["meshes"][0]["primitives"][0]["extensions"] = extension; }),
+             "extensionsRequired[0]", place("meshes[0].primitives[0]"));
+  const GltfBuilder material = with([&](nlohmann::json& json) { json["materials"] = {{{"extensions", extension}}}; });
+  EXPECT_EQ(import_gltf(material.write(folder), TimeBase{}).warnings.size(), 1u);
+}
+
+TEST_F(GltfBadInput, PointersAtMaterialsAloneAreNamed) {
+  GltfBuilder file = triangle_file();
+  file.json["extensionsRequired"] = {"KHR_animation_pointer"};
+  file.animate(0, "pointer", {0, 1}, {0, 0, 0, 1, 1, 1});
+  nlohmann::json& target = file.json["animations"][0]["channels"][0]["target"];
+  target.erase("node");
+  target["extensions"]["KHR_animation_pointer"]["pointer"] = "/materials/0/emissiveFactor";
+  EXPECT_EQ(import_gltf(file.write(folder), TimeBase{}).warnings,
+            std::vector<std::string>{"not drawn: extension KHR_animation_pointer"});
+  target["extensions"]["KHR_animation_pointer"]["pointer"] = "/nodes/0/translation";
+  expect_bad(file, "extensionsRequired[0]", "'KHR_animation_pointer' is required");
+}
+
+TEST_F(GltfBadInput, SmallFilesThatClaimMuchCostLittle) {
+  GltfBuilder file = triangle_file();
+  file.json["accessors"][0].erase("bufferView");
+  file.json["accessors"][0]["count"] = 1 << 25;
+  expect_bad(file, "accessors[0]", "that one model of its size may take");
 }
 
 TEST_F(GltfBadInput, IntegerPositionsWithoutTheExtension) {

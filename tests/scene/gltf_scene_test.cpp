@@ -6,6 +6,7 @@
 
 #include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
+#include "tests/scene/import_error.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -90,7 +91,85 @@ TEST_F(GltfScene, OrthographicCameraAndTheFirstOfSeveral) {
   EXPECT_EQ(lens.top, 1);
   EXPECT_EQ(lens.far, 9);
   EXPECT_EQ(model.camera->node, 1);
-  EXPECT_EQ(model.warnings, std::vector<std::string>{"several cameras: the first one is used"});
+  EXPECT_EQ(lens.fit, Fit::widen);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("several cameras, and the first is used"), std::string::npos) << model.warnings[0];
+}
+
+TEST_F(GltfScene, CamerasAreChosenByTheirNameTheirNodeOrTheirNumber) {
+  GltfBuilder file = triangle_file();
+  file.node({{"camera", 0}, {"name", "left eye"}});
+  file.node({{"camera", 1}, {"name", "right eye"}});
+  for (const double angle : {0.5, 0.75})
+    file.append("cameras",
+                {{"type", "perspective"}, {"perspective", {{"yfov", angle}, {"znear", 0.25}, {"aspectRatio", 2}}}});
+  file.json["cameras"][1]["name"] = "lens";
+  const std::string path = file.write(folder);
+  for (const std::string wanted : {"lens", "right eye", "1"}) {
+    const ImportedModel model = import_gltf(path, TimeBase{}, {}, {.camera = wanted});
+    EXPECT_EQ(model.camera->node, 2) << wanted;
+    EXPECT_EQ(model.camera_aspect, 2) << wanted;
+    EXPECT_TRUE(model.warnings.empty()) << wanted;
+    EXPECT_EQ(model.parts[0].name, "left eye") << "it has no name but its node's";
+    EXPECT_FALSE(model.parts[0].used);
+    EXPECT_TRUE(model.parts[1].used);
+  }
+  EXPECT_EQ(import(file).camera->node, 1);
+  expect_refusal([&] { import_gltf(path, TimeBase{}, {}, {.camera = "2"}); }, ErrorKind::usage, path,
+                 "there is no camera '2'; the file has 0 'left eye', 1 'lens'");
+  EXPECT_TRUE(import_gltf_camera(path, TimeBase{}, {}, {}).objects.empty());
+  expect_refusal([&] { import_gltf_camera(triangle_file().write(folder), TimeBase{}, {}, {}); }, ErrorKind::bad_input,
+                 path, "holds no camera");
+}
+
+TEST_F(GltfScene, AspectsThatAreNoneAreTheImages) {
+  GltfBuilder file = triangle_file();
+  file.node({{"camera", 0}});
+  file.append("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 1}, {"aspectRatio", 0}}}});
+  const ImportedModel model = import(file);
+  EXPECT_FALSE(model.camera_aspect);
+  EXPECT_EQ(model.warnings.size(), 1u);
+}
+
+TEST_F(GltfScene, ScenesAreChosen) {
+  GltfBuilder file = triangle_file();
+  file.node({{"mesh", 0}});
+  file.json["scenes"] = {{{"name", "empty"}}, {{"name", "full"}, {"nodes", {0, 1}}}};
+  const std::string path = file.write(folder);
+  EXPECT_EQ(import_gltf(path, TimeBase{}).objects.size(), 0u);
+  EXPECT_EQ(import_gltf(path, TimeBase{}, {}, {.scene = "full"}).objects.size(), 2u);
+  EXPECT_EQ(import_gltf(path, TimeBase{}, {}, {.scene = "1"}).objects.size(), 2u);
+  expect_refusal([&] { import_gltf(path, TimeBase{}, {}, {.scene = "none"}); }, ErrorKind::usage, path,
+                 "the file has 0 'empty', 1 'full'");
+}
+
+TEST_F(GltfScene, ASceneThatNamesAChildDrawsItWhereItsParentPutsIt) {
+  GltfBuilder file = triangle_file();
+  file.node({{"translation", {5, 0, 0}}, {"children", {0}}});
+  file.json["scenes"] = {{{"nodes", {0}}}};
+  const ImportedModel model = import(file);
+  ASSERT_EQ(model.objects.size(), 1u);
+  EXPECT_EQ(model.nodes[0].parent, 1);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("scenes[0].nodes[0]: nodes[0] is a child of nodes[1]"), std::string::npos);
+}
+
+TEST_F(GltfScene, SkinnedMeshesStandAtTheOrigin) {
+  GltfBuilder file = triangle_file(1);
+  file.node({{"scale", {100, 100, 100}}, {"children", {0}}});
+  file.json["skins"] = {{{"joints", {1}}}};
+  file.json["nodes"][0]["skin"] = 0;
+  file.json["nodes"][0]["translation"] = {1, 2, 3};
+  file.animate(0, "weights", {0, 1}, {0, 1});
+  const ImportedModel model = import(file);
+  ASSERT_EQ(model.objects.size(), 1u);
+  const Node& stand = model.nodes[static_cast<std::size_t>(model.objects[0].node)];
+  EXPECT_EQ(stand.parent, -1);
+  EXPECT_EQ(stand.translation, glm::dvec3(0));
+  EXPECT_EQ(stand.static_transform, glm::dmat4(1));
+  EXPECT_EQ(model.objects[0].morph.tracks.size(), 1u);
+  ASSERT_EQ(model.warnings.size(), 2u);
+  EXPECT_NE(model.warnings[1].find("stands unmoved at the origin"), std::string::npos);
 }
 
 TEST_F(GltfScene, LightsStandWhereTheirNodesAre) {
@@ -121,7 +200,7 @@ TEST_F(GltfScene, WhatIsNotDrawnIsNamedInOneWarning) {
   file.json["nodes"][0]["skin"] = 0;
   file.json["textures"] = nlohmann::json::array({nlohmann::json::object()});
   file.json["extensionsUsed"] = {"KHR_materials_unlit", "ACME_fur"};
-  EXPECT_EQ(import(file).warnings, std::vector<std::string>{"not drawn: extension ACME_fur, skins, textures"});
+  EXPECT_EQ(import(file).warnings[0], "not drawn: extension ACME_fur, skins, textures");
 }
 
 TEST_F(GltfScene, NothingIsMoved) {

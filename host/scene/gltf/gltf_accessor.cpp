@@ -182,7 +182,7 @@ void GltfAccessors::require_data(const View& view, const Accessor& accessor) con
 }
 
 template <typename T>
-std::vector<T> GltfAccessors::decode(int number) const {
+std::vector<T> GltfAccessors::decode(int number, Numbers numbers) const {
   const Accessor& accessor = accessors_[static_cast<std::size_t>(number)];
   require_data(accessor.view, accessor);
   require_data(accessor.sparse.indices, accessor);
@@ -197,7 +197,7 @@ std::vector<T> GltfAccessors::decode(int number) const {
       for (std::size_t c = 0; c < accessor.width; ++c) {
         const auto value = read<Component>(view.bytes + from * view.stride + c * sizeof(Component));
         if constexpr (std::is_floating_point_v<Component>)
-          if (!std::isfinite(value))
+          if (numbers == Numbers::finite && !std::isfinite(value))
             accessor.json.fail(fmt::format("component {} of element {} is {}; it must be finite", c, to, value));
         values[to * accessor.width + c] = convert<T>(value, accessor.normalized);
       }
@@ -222,8 +222,8 @@ std::vector<T> GltfAccessors::decode(int number) const {
   return values;
 }
 
-template std::vector<float> GltfAccessors::decode<float>(int) const;
-template std::vector<double> GltfAccessors::decode<double>(int) const;
-template std::vector<std::uint32_t> GltfAccessors::decode<std::uint32_t>(int) const;
+template std::vector<float> GltfAccessors::decode<float>(int, Numbers) const;
+template std::vector<double> GltfAccessors::decode<double>(int, Numbers) const;
+template std::vector<std::uint32_t> GltfAccessors::decode<std::uint32_t>(int, Numbers) const;
 
 }  // namespace morphcl

@@ -34,12 +34,16 @@ class GltfAccessors {
   std::string place(int accessor) const { return accessors_[accessor].json.place(); }
   [[noreturn]] void fail(int accessor, std::string_view what) const { accessors_[accessor].json.fail(what); }
 
+  // What is expected of numbers: what only matters to the looks may be NaN or infinite, and is mended by its reader.
+  enum class Numbers { finite, any };
+
   // All components, element after element, as T (float, double or std::uint32_t). Normalised integers become
   // c / (2^b - 1), or max(c / (2^(b-1) - 1), -1), in fp64 and rounded once; an accessor without a buffer view is zero
-  // where its sparse part does not say otherwise. Error(bad_input): a component that is NaN or infinite, a buffer
-  // without data, sparse indices that do not increase, more data than the document's budget.
+  // where its sparse part does not say otherwise. Error(bad_input): a component that is NaN or infinite where `numbers`
+  // asks for finite ones, a buffer without data, sparse indices that do not increase, more data than the document's
+  // budget.
   template <typename T>
-  std::vector<T> decode(int accessor) const;
+  std::vector<T> decode(int accessor, Numbers numbers = Numbers::finite) const;
 
  private:
   // `stride` bytes from element to element, the first at `bytes`; every element is inside. Null: no data, all zero.

@@ -3,6 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "host/scene/model/model_choice.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -51,7 +57,7 @@ class AnimationReader {
       return;
     }
     GltfSampler keys = read_sampler(samplers[static_cast<std::size_t>(sampler)], document_, accessors_, time_,
-                                    {place.width, path == "rotation", path == "weights"});
+                                    {place.width, path == "rotation", path == "weights"}, warnings_);
     result_.duration_seconds = std::max(result_.duration_seconds, keys.last_seconds);
     if (path == "weights") result_.node_weights[static_cast<std::size_t>(node)].bytes = keys.bytes;
     *place.track = std::move(keys.track);
@@ -89,12 +95,67 @@ class AnimationReader {
   std::size_t driven_again_ = 0;
 };
 
+std::vector<ModelPart> list_animations(const GltfDocument& document, const GltfAccessors& accessors) {
+  std::vector<ModelPart> parts;
+  std::map<int, double> last_keys;  // of the accessors that hold times
+  for (std::size_t i = 0; i < document.count("animations"); ++i) {
+    const GltfValue animation = document.element("animations", i);
+    ModelPart part{document.path(), ModelPart::Kind::animation, static_cast<int>(i), animation.text("name", "")};
+    try {
+      const GltfValue samplers = animation.get("samplers");
+      for (std::size_t s = 0; s < samplers.size(); ++s) {
+        const int input = samplers[s].get("input").index(accessors.size(), "accessors");
+        if (!last_keys.contains(input)) last_keys[input] = accessors.decode<double>(input).back();
+        part.seconds = std::max(part.seconds, last_keys[input]);
+      }
+    } catch (const Error&) {
+      part.seconds = 0;  // what is wrong is said when it is played
+    }
+    document.budget().charge(1, sizeof part + part.name.size() + part.model.size(), animation.place());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// Whether two animations move the same value of a node.
+bool animations_collide(const GltfDocument& document) {
+  std::map<std::pair<std::uint64_t, std::string>, std::size_t> movers;
+  for (std::size_t i = 0; i < document.count("animations"); ++i) {
+    const GltfValue channels = document.element("animations", i).get("channels");
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const GltfValue target = channels[c].get("target");
+      if (!target.find("node")) continue;
+      const auto [mover, is_new] =
+          movers.try_emplace({target.get("node").integer(), target.get("path").text().substr(0, 20)}, i);
+      if (!is_new && mover->second != i) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 GltfAnimations read_animations(const GltfDocument& document, const GltfAccessors& accessors, const TimeBase& time,
-                               const std::vector<std::size_t>& node_targets, GltfNodes& nodes, GltfWarnings& warnings) {
+                               const std::vector<std::size_t>& node_targets, const std::optional<std::string>& wanted,
+                               GltfNodes& nodes, std::vector<ModelPart>& parts, GltfWarnings& warnings) {
+  std::vector<ModelPart> animations = list_animations(document, accessors);
+  std::vector<std::string> names;
+  for (const ModelPart& animation : animations) names.push_back(animation.name);
+  if (wanted) {
+    animations[choose(names, *wanted, "animation", document.path())].used = true;
+  } else if (!animations.empty() && animations_collide(document)) {
+    animations[0].used = true;
+    warnings.say(
+        fmt::format("{}: several animations move the same, and the first is played; --animation, or animation "
+                    "in a shot's object, chooses another: {}",
+                    document.path(), numbered(names)));
+  } else {
+    for (ModelPart& animation : animations) animation.used = true;
+  }
   AnimationReader reader(document, accessors, time, node_targets, nodes, warnings);
-  for (std::size_t i = 0; i < document.count("animations"); ++i) reader.read(document.element("animations", i));
+  for (std::size_t i = 0; i < animations.size(); ++i)
+    if (animations[i].used) reader.read(document.element("animations", i));
+  parts.insert(parts.end(), animations.begin(), animations.end());
   return reader.result();
 }
 

@@ -33,7 +33,9 @@ std::vector<glm::vec3> GltfAttributes::read_vec3(int accessor, GltfAttribute att
                                                  std::size_t vertex_count) const {
   check_type(accessor, attribute, vertex_count);
   if (!decode_) return {};
-  const std::vector<float> components = accessors_.decode<float>(accessor);
+  const auto numbers =
+      attribute == GltfAttribute::position ? GltfAccessors::Numbers::finite : GltfAccessors::Numbers::any;
+  const std::vector<float> components = accessors_.decode<float>(accessor, numbers);
   document_.budget().charge(vertex_count, sizeof(glm::vec3), primitive_.place());
   std::vector<glm::vec3> values(vertex_count);
   for (std::size_t i = 0; i < vertex_count; ++i)
@@ -44,7 +46,7 @@ std::vector<glm::vec3> GltfAttributes::read_vec3(int accessor, GltfAttribute att
 std::vector<glm::vec4> GltfAttributes::read_color(int accessor, std::size_t vertex_count, float alpha_of_rgb) const {
   check_type(accessor, GltfAttribute::color, vertex_count);
   if (!decode_) return {};
-  const std::vector<float> components = accessors_.decode<float>(accessor);
+  const std::vector<float> components = accessors_.decode<float>(accessor, GltfAccessors::Numbers::any);
   document_.budget().charge(vertex_count, sizeof(glm::vec4), primitive_.place());
   std::vector<glm::vec4> values(vertex_count);
   const bool rgba = accessors_.type(accessor) == "VEC4";

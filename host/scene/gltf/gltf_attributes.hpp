@@ -27,6 +27,8 @@ class GltfAttributes {
   std::vector<glm::vec3> read_vec3(int accessor, GltfAttribute attribute, std::size_t vertex_count) const;
   std::vector<glm::vec4> read_color(int accessor, std::size_t vertex_count, float alpha_of_rgb) const;
 
+  std::string place(int accessor) const { return accessors_.place(accessor); }
+
   // All below vertex_count; 0, 1, 2, ... for a primitive without indices.
   std::vector<std::uint32_t> read_indices(std::size_t vertex_count) const;
 

@@ -14,11 +14,35 @@ namespace morphcl {
 
 namespace {
 
-// Extensions whose absence would change the geometry, and those of textures, which are not drawn in any case.
-constexpr std::array known_extensions = {
-    "KHR_mesh_quantization", "KHR_materials_unlit", "KHR_lights_punctual",
-    "KHR_texture_transform", "KHR_texture_basisu",  "EXT_texture_webp",
+// Not read, and they decide what is drawn where: a file that requires one would be drawn wrong.
+constexpr std::array<std::string_view, 6> geometry_extensions = {
+    "KHR_draco_mesh_compression", "KHR_meshopt_compression", "EXT_meshopt_compression",
+    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",     "KHR_gaussian_splatting"};
+constexpr std::string_view animation_pointer = "KHR_animation_pointer";
+
+// What these begin is about looks, sound, physics or data, wherever it stands in the file; or it is read.
+constexpr std::array<std::string_view, 16> harmless_extensions = {
+    "KHR_mesh_quantization",  "KHR_lights_", "EXT_lights_",  "KHR_materials_", "EXT_materials_",
+    "ADOBE_materials_",       "MSFT_lod",    "KHR_texture_", "EXT_texture_",   "MSFT_texture_",
+    "MSFT_packing_",          "KHR_audio",   "KHR_xmp",      "KHR_physics_",   "EXT_mesh_features",
+    "EXT_structural_metadata"};
+
+// The parts of a file that decide geometry and motion, with the array inside an element that holds more of them.
+struct GeometryPlace {
+  std::string_view array, inner;
 };
+constexpr std::array<GeometryPlace, 7> geometry_places = {{{"meshes", "primitives"},
+                                                           {"accessors", ""},
+                                                           {"bufferViews", ""},
+                                                           {"buffers", ""},
+                                                           {"nodes", ""},
+                                                           {"skins", ""},
+                                                           {"animations", "channels"}}};
+
+bool has_extension(const GltfValue& value, std::string_view name) {
+  const auto extensions = value.find("extensions");
+  return extensions && extensions->find(name);
+}
 
 // What nlohmann-json takes for a value: 16 bytes, an array or map node around it, and the allocator's overhead.
 constexpr std::uint64_t bytes_per_json_value = 96;
@@ -58,7 +82,7 @@ GltfDocument::GltfDocument(const std::string& path, const ImportLimits& limits)
       limits_(limits),
       budget_(limits.max_decoded_bytes),
       file_(read_input_file(path, limits.max_decoded_bytes)) {
-  budget_.charge(file_.size(), 1, path_);
+  budget_.charge_read(file_.size(), path_);
   hash_.add(file_);
   const GltfContainer parts = split_gltf(file_, path_);
   parse(parts.json);
@@ -107,9 +131,65 @@ void GltfDocument::check_extensions() {
   for (std::size_t i = 0; i < count("extensionsUsed"); ++i)
     extensions_used_.push_back(element("extensionsUsed", i).text());
   for (std::size_t i = 0; i < count("extensionsRequired"); ++i) {
-    const GltfValue name = element("extensionsRequired", i);
-    if (std::find(known_extensions.begin(), known_extensions.end(), name.text()) == known_extensions.end())
-      name.fail(fmt::format("the extension '{}' is required to read this file, and is not known", name.text()));
+    const GltfValue required = element("extensionsRequired", i);
+    const std::string& name = required.text();
+    const auto begins = [&](std::string_view start) { return name.starts_with(start); };
+    if (std::any_of(harmless_extensions.begin(), harmless_extensions.end(), begins)) continue;
+    const bool refused = name == animation_pointer ? !points_at_materials_only()
+                                                   : std::find(geometry_extensions.begin(), geometry_extensions.end(),
+                                                               name) != geometry_extensions.end();
+    std::string place;
+    if (!refused) place = geometry_place_of(name);
+    if (refused || !place.empty())
+      required.fail(fmt::format("the extension '{}' is required to read this file, and is not known{}{}", name,
+                                place.empty() ? "" : "; it stands in ", place));
+  }
+}
+
+std::string GltfDocument::geometry_place_of(std::string_view extension) const {
+  for (const GeometryPlace& where : geometry_places)
+    for (std::size_t i = 0; i < count(where.array); ++i) {
+      const GltfValue value = element(where.array, i);
+      if (has_extension(value, extension)) return value.path();
+      const auto inner = where.inner.empty() ? std::nullopt : value.find(where.inner);
+      for (std::size_t k = 0; inner && k < inner->size(); ++k)
+        if (has_extension((*inner)[k], extension)) return (*inner)[k].path();
+    }
+  return "";
+}
+
+bool GltfDocument::points_at_materials_only() const {
+  std::size_t pointers = 0;
+  for (std::size_t i = 0; i < count("animations"); ++i) {
+    const GltfValue channels = element("animations", i).get("channels");
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const auto extensions = channels[c].get("target").find("extensions");
+      const auto extension = extensions ? extensions->find(animation_pointer) : std::nullopt;
+      if (!extension) continue;
+      ++pointers;
+      if (!extension->text("pointer", "").starts_with("/materials/")) return false;
+    }
+  }
+  return pointers > 0;
+}
+
+// Exporters also write names as they are, with a '%' or a '\\' in them.
+std::string GltfDocument::read_uri(const GltfValue& uri) {
+  const auto read = [&](std::string_view name) {
+    return read_input_file(confined_path(path_, name, limits_.allow_outside, uri.place()), budget_.left_to_read());
+  };
+  try {
+    return read(decode_percent(uri.text(), uri.place()));
+  } catch (const Error&) {
+    std::string with_slashes = uri.text();
+    std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
+    for (const std::string& name : {uri.text(), with_slashes}) {
+      try {
+        return read(name);
+      } catch (const Error&) {
+      }
+    }
+    throw;
   }
 }
 
@@ -129,10 +209,8 @@ void GltfDocument::load_buffers(const std::optional<std::string_view>& binary_ch
       budget_.charge(uri->text().size(), 1, uri->place());
       bytes = *storage_.emplace_back(std::make_unique<std::string>(decode_data_uri(uri->text(), uri->place())));
     } else {
-      const std::string file =
-          confined_path(path_, decode_percent(uri->text(), uri->place()), limits_.allow_outside, uri->place());
-      bytes = *storage_.emplace_back(std::make_unique<std::string>(read_input_file(file, budget_.left())));
-      budget_.charge(bytes.size(), 1, uri->place());
+      bytes = *storage_.emplace_back(std::make_unique<std::string>(read_uri(*uri)));
+      budget_.charge_read(bytes.size(), uri->place());
       hash_.add(bytes);
     }
     if (bytes.size() < length)

@@ -48,6 +48,10 @@ class GltfDocument {
   void parse(std::string_view text);
   void check_version() const;
   void check_extensions();
+  // Where an extension stands that may decide geometry; "" when it only stands elsewhere, or nowhere.
+  std::string geometry_place_of(std::string_view extension) const;
+  bool points_at_materials_only() const;       // the animation pointers, of which there are some
+  std::string read_uri(const GltfValue& uri);  // the bytes of the file
   void load_buffers(const std::optional<std::string_view>& binary_chunk);
 
   std::string path_;

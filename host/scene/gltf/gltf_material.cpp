@@ -3,14 +3,54 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
 namespace {
 
-double unit_factor(double value, const GltfValue& json) {
-  if (!(value >= 0 && value <= 1)) json.fail(fmt::format("holds {}; factors are from 0 to 1", value));
-  return value;
+// What is wrong with a colour costs the colour, not the model.
+std::optional<glm::dvec4> base_color(const GltfValue& material, GltfWarnings& warnings) {
+  try {
+    const auto surface = material.find("pbrMetallicRoughness");
+    const auto factor = surface ? surface->find("baseColorFactor") : std::nullopt;
+    if (!factor) return std::nullopt;
+    const std::vector<double> given = factor->numbers(4);
+    glm::dvec4 color;
+    for (int c = 0; c < 4; ++c) {
+      const double value = given[static_cast<std::size_t>(c)];
+      color[c] = std::clamp(value, 0.0, 1.0);
+      if (color[c] != value)
+        warnings.say(fmt::format("{}: holds {}; factors are from 0 to 1, so it is clamped", factor->place(), value));
+    }
+    return color;
+  } catch (const Error& error) {
+    warnings.say(fmt::format("{}; the default colour is used", error.what()));
+    return std::nullopt;
+  }
+}
+
+bool glows(const GltfValue& material, GltfWarnings& warnings) {
+  try {
+    const auto factor = material.find("emissiveFactor");
+    const std::vector<double> emission = factor ? factor->numbers(3) : std::vector<double>{};
+    return std::any_of(emission.begin(), emission.end(), [](double value) { return value != 0; });
+  } catch (const Error& error) {
+    warnings.say(fmt::format("{}; it is not drawn in any case", error.what()));
+    return false;
+  }
+}
+
+std::string alpha_mode(const GltfValue& material, GltfWarnings& warnings) {
+  const std::string mode = material.text("alphaMode", "OPAQUE");
+  if (mode == "OPAQUE" || mode == "BLEND" || mode == "MASK") return mode;
+  warnings.say(fmt::format("{}: is '{}'; OPAQUE, MASK or BLEND are modes, and OPAQUE is used",
+                           material.get("alphaMode").place(), mode));
+  return "OPAQUE";
 }
 
 }  // namespace
@@ -20,24 +60,20 @@ GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings
   result.material.base_color = glm::dvec4(1.0);
   if (index < 0) return result;
   const GltfValue json = document.element("materials", static_cast<std::size_t>(index));
-  if (const auto surface = json.find("pbrMetallicRoughness"))
-    if (const auto factor = surface->find("baseColorFactor")) {
-      const std::vector<double> color = factor->numbers(4);
-      for (int c = 0; c < 4; ++c)
-        result.material.base_color[c] = unit_factor(color[static_cast<std::size_t>(c)], *factor);
-    }
-  if (const auto factor = json.find("emissiveFactor")) {
-    const std::vector<double> emission = factor->numbers(3);
-    if (std::any_of(emission.begin(), emission.end(), [](double value) { return value != 0; }))
-      warnings.not_drawn("emission");
-  }
+  result.material.base_color = base_color(json, warnings).value_or(glm::dvec4(1.0));
+  if (glows(json, warnings)) warnings.not_drawn("emission");
   result.material.double_sided = json.boolean("doubleSided", false);
-  const std::string mode = json.text("alphaMode", "OPAQUE");
-  if (mode == "MASK")
-    warnings.not_drawn("alpha masks");
-  else if (mode != "OPAQUE" && mode != "BLEND")
-    json.get("alphaMode").fail(fmt::format("is '{}'; OPAQUE, MASK or BLEND are modes", mode));
+  const std::string mode = alpha_mode(json, warnings);
+  const double alpha = result.material.base_color.a;
   result.blend = mode == "BLEND";
+  if (mode == "MASK") {
+    // Textures and vertex colours only ever lower alpha.
+    result.seen = !(alpha < json.number("alphaCutoff", 0.5));
+    if (result.seen) warnings.not_drawn("alpha masks");
+  } else if (result.blend) {
+    result.seen = alpha > 0;
+    if (result.seen && alpha < 1) warnings.not_drawn("transparency");
+  }
   if (!result.blend) result.material.base_color.a = 1.0;
   if (const auto extensions = json.find("extensions"); extensions && extensions->find("KHR_materials_unlit"))
     result.material.shading = Shading::unlit;

@@ -73,21 +73,20 @@ std::vector<int> order_nodes(const GltfDocument& document, const std::vector<Nod
   }
 }
 
-std::vector<int> drawn_roots(const GltfDocument& document, const std::vector<Node>& nodes) {
+std::vector<int> drawn_roots(const GltfDocument& document, const std::vector<Node>& nodes, int scene,
+                             GltfWarnings& warnings) {
   std::vector<int> roots;
-  const std::size_t scenes = document.count("scenes");
-  if (scenes == 0) {
+  if (scene < 0) {
     for (int i = 0; i < static_cast<int>(nodes.size()); ++i)
       if (nodes[static_cast<std::size_t>(i)].parent < 0) roots.push_back(i);
     return roots;
   }
-  const int chosen = document.root().index("scene", scenes, "scenes");
-  const auto members = document.element("scenes", static_cast<std::size_t>(chosen < 0 ? 0 : chosen)).find("nodes");
+  const auto members = document.element("scenes", static_cast<std::size_t>(scene)).find("nodes");
   for (std::size_t i = 0; members && i < members->size(); ++i) {
     const int root = (*members)[i].index(nodes.size(), "nodes");
     if (nodes[static_cast<std::size_t>(root)].parent >= 0)
-      (*members)[i].fail(fmt::format("nodes[{}] is a child of nodes[{}]; a scene lists root nodes", root,
-                                     nodes[static_cast<std::size_t>(root)].parent));
+      warnings.say(fmt::format("{}: nodes[{}] is a child of nodes[{}]; it is drawn with what is below it",
+                               (*members)[i].place(), root, nodes[static_cast<std::size_t>(root)].parent));
     roots.push_back(root);
   }
   return roots;
@@ -95,7 +94,7 @@ std::vector<int> drawn_roots(const GltfDocument& document, const std::vector<Nod
 
 }  // namespace
 
-GltfNodes read_nodes(const GltfDocument& document, GltfWarnings& warnings) {
+GltfNodes read_nodes(const GltfDocument& document, int scene, GltfWarnings& warnings) {
   GltfNodes result;
   const std::size_t count = document.count("nodes");
   document.budget().charge(count, sizeof(Node), document.path());
@@ -108,10 +107,11 @@ GltfNodes read_nodes(const GltfDocument& document, GltfWarnings& warnings) {
     read_children(document.element("nodes", i), static_cast<int>(i), result.nodes);
   result.parents_first = order_nodes(document, result.nodes);
   result.drawn.resize(count);
-  for (const int root : drawn_roots(document, result.nodes)) result.drawn[static_cast<std::size_t>(root)] = true;
+  for (const int root : drawn_roots(document, result.nodes, scene, warnings))
+    result.drawn[static_cast<std::size_t>(root)] = true;
   for (const int node : result.parents_first)
     if (const int parent = result.nodes[static_cast<std::size_t>(node)].parent; parent >= 0)
-      result.drawn[static_cast<std::size_t>(node)] = result.drawn[static_cast<std::size_t>(parent)];
+      if (result.drawn[static_cast<std::size_t>(parent)]) result.drawn[static_cast<std::size_t>(node)] = true;
   return result;
 }
 

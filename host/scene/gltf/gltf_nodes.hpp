@@ -10,14 +10,16 @@ namespace morphcl {
 
 struct GltfNodes {
   std::vector<Node> nodes;         // in the file's order
-  std::vector<bool> drawn;         // below a root of the chosen scene
+  std::vector<bool> drawn;         // in the chosen scene
   std::vector<bool> has_matrix;    // instead of translation, rotation, scale
   std::vector<int> parents_first;  // every node, after its parent
 };
 
-// Error(bad_input): a child out of range, a node with two parents, a cycle (its nodes are named), a node with both a
-// matrix and translation, rotation or scale, a rotation of length 0, a scene whose node is not a root.
-GltfNodes read_nodes(const GltfDocument& document, GltfWarnings& warnings);
+// `scene` is the one that is drawn; -1 draws every root. Error(bad_input): a child out of range, a node with two
+// parents, a cycle (its nodes are named), a node with both a matrix and translation, rotation or scale, a rotation of
+// length 0, a node of a scene out of range. A scene that names a child draws it and what is below it, where its parents
+// put it, with a warning.
+GltfNodes read_nodes(const GltfDocument& document, int scene, GltfWarnings& warnings);
 
 // node -> world of every node with nothing animated.
 std::vector<glm::dmat4> rest_to_world(const GltfNodes& nodes);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/scene/gltf/gltf_attributes.hpp"
 #include "host/scene/gltf/gltf_material.hpp"
@@ -12,17 +13,58 @@ namespace morphcl {
 
 namespace {
 
-// Quantised normals are off by their step; a zero normal has no direction and is lit from the front.
-void normalize(std::vector<glm::vec3>& normals) {
+// Quantised normals are off by their step. They decide how the faces are lit and no more, so where one has no direction
+// all are dropped.
+void normalize(std::vector<glm::vec3>& normals, const std::string& place, GltfWarnings& warnings) {
+  std::size_t wrong = 0;
   for (glm::vec3& normal : normals) {
     const glm::dvec3 exact(normal);
     const double length = glm::length(exact);
-    normal = length > 0 ? glm::vec3(exact / length) : glm::vec3(0, 0, 1);
+    if (length > 0 && std::isfinite(length))
+      normal = glm::vec3(exact / length);
+    else
+      ++wrong;
   }
+  if (wrong == 0) return;
+  warnings.say(fmt::format("{}: {} of {} normals are zero or no numbers, so the faces are lit flat", place, wrong,
+                           normals.size()));
+  normals.clear();
+}
+
+// From 0 to 1; those that are no numbers have the colour of no vertex colour.
+void mend_colors(std::vector<glm::vec4>& colors, const std::string& place, GltfWarnings& warnings) {
+  std::size_t clamped = 0, unknown = 0;
+  for (glm::vec4& color : colors) {
+    if (std::isnan(color.r) || std::isnan(color.g) || std::isnan(color.b) || std::isnan(color.a)) {
+      color = glm::vec4(1.0f);
+      ++unknown;
+    }
+    const glm::vec4 inside = glm::clamp(color, 0.0f, 1.0f);
+    if (inside != color) ++clamped;
+    color = inside;
+  }
+  if (clamped > 0)
+    warnings.say(
+        fmt::format("{}: {} of {} vertex colours are not from 0 to 1 and are clamped", place, clamped, colors.size()));
+  if (unknown > 0)
+    warnings.say(
+        fmt::format("{}: {} of {} vertex colours are no numbers; white is used", place, unknown, colors.size()));
+}
+
+template <typename Vector>
+void drop_unless_finite(std::vector<Vector>& moves, const std::string& place, const char* what,
+                        GltfWarnings& warnings) {
+  for (const Vector& move : moves)
+    for (int c = 0; c < Vector::length(); ++c)
+      if (!std::isfinite(move[c])) {
+        warnings.say(fmt::format("{}: holds numbers that are not finite, so the target does not move {}", place, what));
+        moves.clear();
+        return;
+      }
 }
 
 MorphTarget read_target(const GltfAttributes& reader, const GltfValue& json, const GltfValue& attributes,
-                        std::size_t vertex_count, bool blend) {
+                        std::size_t vertex_count, bool blend, GltfWarnings& warnings) {
   const auto accessor_of = [&](const char* name) {
     const int accessor = reader.find(json, name);
     if (accessor >= 0 && !attributes.find(name)) json.fail(fmt::format("moves {}, which the primitive has not", name));
@@ -32,10 +74,13 @@ MorphTarget read_target(const GltfAttributes& reader, const GltfValue& json, con
   target.form = TargetForm::delta;
   if (const int accessor = accessor_of("POSITION"); accessor >= 0)
     target.positions = reader.read_vec3(accessor, GltfAttribute::position, vertex_count);
-  if (const int accessor = accessor_of("NORMAL"); accessor >= 0)
+  if (const int accessor = accessor_of("NORMAL"); accessor >= 0) {
     target.normals = reader.read_vec3(accessor, GltfAttribute::normal, vertex_count);
+    drop_unless_finite(target.normals, reader.place(accessor), "normals", warnings);
+  }
   if (const int accessor = accessor_of("COLOR_0"); accessor >= 0) {
     target.colors = reader.read_color(accessor, vertex_count, 0.0f);
+    drop_unless_finite(target.colors, reader.place(accessor), "colours", warnings);
     if (!blend)
       for (glm::vec4& color : target.colors) color.a = 0.0f;
   }
@@ -66,19 +111,21 @@ std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const 
   mesh.positions = reader.read_vec3(position, GltfAttribute::position, vertex_count);
   if (const int accessor = reader.find(attributes, "NORMAL"); accessor >= 0) {
     mesh.normals = reader.read_vec3(accessor, GltfAttribute::normal, vertex_count);
-    normalize(mesh.normals);
+    normalize(mesh.normals, accessors.place(accessor), warnings);
   }
   if (const int accessor = reader.find(attributes, "COLOR_0"); accessor >= 0) {
     mesh.colors = reader.read_color(accessor, vertex_count, 1.0f);
-    for (glm::vec4& color : mesh.colors) {
-      color = glm::clamp(color, 0.0f, 1.0f);
-      if (!material.blend) color.a = 1.0f;
-    }
+    mend_colors(mesh.colors, accessors.place(accessor), warnings);
+    const auto is_faint = [](const glm::vec4& color) { return color.a < 1; };
+    if (material.blend && std::any_of(mesh.colors.begin(), mesh.colors.end(), is_faint))
+      warnings.not_drawn("transparency");
+    if (!material.blend)
+      for (glm::vec4& color : mesh.colors) color.a = 1.0f;
   }
   if (const auto targets = json.find("targets"))
     for (std::size_t i = 0; i < targets->size(); ++i) {
       document.budget().charge(1, sizeof(MorphTarget) + target_names[i].size(), json.place());
-      mesh.targets.push_back(read_target(reader, (*targets)[i], attributes, vertex_count, material.blend));
+      mesh.targets.push_back(read_target(reader, (*targets)[i], attributes, vertex_count, material.blend, warnings));
       mesh.targets.back().name = target_names[i];
     }
 
@@ -92,6 +139,9 @@ std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const 
     warnings.not_drawn(mode == 0 ? "points" : "primitives without a whole triangle or line");
     return std::nullopt;
   }
+  if (!material.seen) return std::nullopt;
+  if (mesh.normals.empty())
+    for (MorphTarget& target : mesh.targets) target.normals.clear();
   if (mesh.triangles.empty())
     result.material.shading = Shading::wireframe;
   else if (mesh.normals.empty() && result.material.shading != Shading::unlit)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "morphcl/error.hpp"
@@ -18,16 +19,23 @@ Interpolation read_interpolation(const GltfValue& json) {
   json.get("interpolation").fail(fmt::format("is '{}'; STEP, LINEAR or CUBICSPLINE are rules", name));
 }
 
-std::vector<double> read_times(const GltfAccessors& accessors, int input) {
+std::vector<double> read_times(const GltfAccessors& accessors, int input, GltfWarnings& warnings) {
   if (accessors.type(input) != "SCALAR" || accessors.component(input) != GltfComponent::float32)
     accessors.fail(input, "must be SCALAR float (5126) to hold key times");
   std::vector<double> times = accessors.decode<double>(input);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] < 0) accessors.fail(input, fmt::format("key {} is at {} s; times start at 0", i, times[i]));
-    if (i > 0 && !(times[i] > times[i - 1]))
+  std::size_t equal = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] < times[i - 1])
       accessors.fail(input, fmt::format("key {} is at {} s, key {} at {} s; times must increase", i - 1, times[i - 1],
                                         i, times[i]));
+    if (times[i] == times[i - 1]) ++equal;
   }
+  if (times.front() < 0)
+    warnings.say(fmt::format("{}: key times start at {} s; the motion is played from 0 on", accessors.place(input),
+                             times.front()));
+  if (equal > 0)
+    warnings.say(fmt::format("{}: {} keys have the time of the one before; the last of a time is used",
+                             accessors.place(input), equal));
   return times;
 }
 
@@ -53,12 +61,12 @@ void normalize_quaternion(double* q, const GltfAccessors& accessors, int output,
 }  // namespace
 
 GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, const GltfAccessors& accessors,
-                         const TimeBase& time, const GltfSamplerUse& use) {
+                         const TimeBase& time, const GltfSamplerUse& use, GltfWarnings& warnings) {
   Interpolation interpolation = read_interpolation(json);
   const int input = json.get("input").index(accessors.size(), "accessors");
   const int output = json.get("output").index(accessors.size(), "accessors");
   check_output_type(accessors, output, use);
-  const std::vector<double> times = read_times(accessors, input);
+  const std::vector<double> times = read_times(accessors, input, warnings);
   if (interpolation == Interpolation::cubic && times.size() < 2)
     accessors.fail(input, "holds one key; a cubic spline needs two");
 
@@ -100,7 +108,7 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
     if (use.rotation) normalize_quaternion(kept.data(), accessors, output, times.size() - 1);
   }
   GltfSampler result;
-  result.last_seconds = times.back();
+  result.last_seconds = std::max(times.back(), 0.0);
   result.bytes = ticks.size() * sizeof(std::int64_t) + kept.size() * sizeof(double);
   try {
     result.track = Track({interpolation, static_cast<int>(use.width), use.rotation, time.ticks_per_second(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/scene/gltf/gltf_accessor.hpp"
+#include "host/scene/gltf/gltf_warnings.hpp"
 #include "morphcl/track.hpp"
 
 namespace morphcl {
@@ -20,6 +21,6 @@ struct GltfSampler {
 
 // Errors: see gltf_animation.hpp.
 GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, const GltfAccessors& accessors,
-                         const TimeBase& time, const GltfSamplerUse& use);
+                         const TimeBase& time, const GltfSamplerUse& use, GltfWarnings& warnings);
 
 }  // namespace morphcl

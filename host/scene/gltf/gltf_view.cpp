@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "host/scene/model/model_choice.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -37,7 +41,7 @@ Projection read_orthographic(const GltfValue& json) {
   const double near = json.get("znear").number(), far = json.get("zfar").number();
   if (!(near >= 0)) json.get("znear").fail(fmt::format("is {}; it must not be negative", near));
   if (!(far > near)) json.get("zfar").fail(fmt::format("is {}; it must be greater than znear, {}", far, near));
-  return Orthographic{-x, x, -y, y, near, far};
+  return Orthographic{-x, x, -y, y, near, far, Fit::widen};
 }
 
 Projection read_projection(const GltfValue& json) {
@@ -45,6 +49,35 @@ Projection read_projection(const GltfValue& json) {
   if (type.text() == "perspective") return read_perspective(json.get("perspective"));
   if (type.text() == "orthographic") return read_orthographic(json.get("orthographic"));
   type.fail(fmt::format("is '{}'; perspective or orthographic are types", type.text()));
+}
+
+// It only matters to how much the image shows.
+std::optional<double> authored_aspect(const GltfValue& camera, GltfWarnings& warnings) {
+  const auto perspective = camera.find("perspective");
+  if (!perspective) return std::nullopt;
+  try {
+    const auto aspect = perspective->find("aspectRatio");
+    return aspect ? std::optional(positive(*aspect)) : std::nullopt;
+  } catch (const Error& error) {
+    warnings.say(fmt::format("{}; the image's is used", error.what()));
+    return std::nullopt;
+  }
+}
+
+// The camera of each node, -1 without.
+std::vector<int> node_cameras(const GltfDocument& document, std::size_t node_count) {
+  std::vector<int> cameras;
+  for (std::size_t i = 0; i < node_count; ++i)
+    cameras.push_back(document.element("nodes", i).index("camera", document.count("cameras"), "cameras"));
+  return cameras;
+}
+
+int find_camera(const std::vector<std::string>& names, const std::string& wanted, const GltfNodes& nodes,
+                const std::vector<int>& camera_of_node, const GltfDocument& document) {
+  if (std::find(names.begin(), names.end(), wanted) == names.end())
+    for (std::size_t i = 0; i < camera_of_node.size(); ++i)
+      if (camera_of_node[i] >= 0 && nodes.nodes[i].name == wanted) return camera_of_node[i];
+  return static_cast<int>(choose(names, wanted, "camera", document.path()));
 }
 
 // The array of the extension's lights in the file's root.
@@ -90,19 +123,44 @@ std::optional<Light> read_light(const GltfValue& json, const glm::dmat4& to_worl
 
 }  // namespace
 
-std::optional<Camera> read_camera(const GltfDocument& document, const GltfNodes& nodes, GltfWarnings& warnings) {
-  std::optional<Camera> result;
-  for (std::size_t i = 0; i < nodes.nodes.size(); ++i) {
-    const int index = document.element("nodes", i).index("camera", document.count("cameras"), "cameras");
-    if (index < 0 || !nodes.drawn[i]) continue;
-    if (result) {
-      warnings.say("several cameras: the first one is used");
-      continue;
-    }
-    result.emplace();
-    result->projection = read_projection(document.element("cameras", static_cast<std::size_t>(index)));
-    result->node = static_cast<int>(i);
+std::optional<GltfCamera> read_camera(const GltfDocument& document, const GltfNodes& nodes,
+                                      const std::optional<std::string>& wanted, std::vector<ModelPart>& parts,
+                                      GltfWarnings& warnings) {
+  const std::vector<int> camera_of_node = node_cameras(document, nodes.nodes.size());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < document.count("cameras"); ++i)
+    names.push_back(document.element("cameras", i).text("name", ""));
+  for (std::size_t i = 0; i < camera_of_node.size(); ++i)
+    if (const int index = camera_of_node[i]; index >= 0 && names[static_cast<std::size_t>(index)].empty())
+      names[static_cast<std::size_t>(index)] = nodes.nodes[i].name;
+  const int chosen = wanted ? find_camera(names, *wanted, nodes, camera_of_node, document) : -1;
+
+  int holder = -1;
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < camera_of_node.size(); ++i) {
+    if (camera_of_node[i] < 0) continue;
+    if (chosen >= 0 ? camera_of_node[i] != chosen : !nodes.drawn[i]) continue;
+    if (holder < 0 || (!nodes.drawn[static_cast<std::size_t>(holder)] && nodes.drawn[i])) holder = static_cast<int>(i);
+    ++drawn;
   }
+  if (chosen >= 0 && holder < 0)
+    throw Error(ErrorKind::usage, document.path(),
+                fmt::format("no node holds cameras[{}], so it stands nowhere", chosen));
+  if (!wanted && drawn > 1)
+    warnings.say(
+        fmt::format("{}: several cameras, and the first is used; --camera, or name in a shot's camera, chooses "
+                    "another: {}",
+                    document.path(), numbered(names)));
+  const int used = holder < 0 ? -1 : camera_of_node[static_cast<std::size_t>(holder)];
+  for (std::size_t i = 0; i < names.size(); ++i)
+    parts.push_back(
+        {document.path(), ModelPart::Kind::camera, static_cast<int>(i), names[i], 0, static_cast<int>(i) == used});
+  if (used < 0) return std::nullopt;
+  const GltfValue json = document.element("cameras", static_cast<std::size_t>(used));
+  GltfCamera result;
+  result.camera.projection = read_projection(json);
+  result.camera.node = holder;
+  result.aspect = authored_aspect(json, warnings);
   return result;
 }
 

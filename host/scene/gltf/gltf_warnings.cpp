@@ -29,12 +29,13 @@ void GltfWarnings::say(std::string line) {
 void GltfWarnings::survey(const GltfDocument& document) {
   if (document.count("skins") > 0) not_drawn("skins");
   if (document.count("textures") > 0) not_drawn("textures");
-  for (std::size_t i = 0; i < document.count("extensionsUsed"); ++i) {
-    const GltfValue element = document.element("extensionsUsed", i);
-    const std::string& name = element.text();
-    if (std::find(silent_extensions.begin(), silent_extensions.end(), name) == silent_extensions.end())
-      not_drawn("extension " + printable(name).substr(0, max_name));
-  }
+  for (const char* list : {"extensionsUsed", "extensionsRequired"})
+    for (std::size_t i = 0; i < document.count(list); ++i) {
+      const GltfValue element = document.element(list, i);
+      const std::string& name = element.text();
+      if (std::find(silent_extensions.begin(), silent_extensions.end(), name) == silent_extensions.end())
+        not_drawn("extension " + printable(name).substr(0, max_name));
+    }
 }
 
 std::vector<std::string> GltfWarnings::lines() const {

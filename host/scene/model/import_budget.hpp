@@ -1,4 +1,7 @@
 // What one import may still take: every byte that is read, and every array that is made, is charged before it is taken.
+//
+// A model may grow by what it holds: some 50 times the bytes that were read, and 192 MiB whatever it holds. So a small
+// file that claims much costs little.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +11,17 @@ namespace morphcl {
 
 class ImportBudget {
  public:
-  explicit ImportBudget(std::uint64_t bytes) : limit_(bytes), left_(bytes) {}
+  // `bytes`: the most that any model may take.
+  explicit ImportBudget(std::uint64_t bytes);
 
-  std::uint64_t left() const { return left_; }
+  std::uint64_t left_to_read() const { return limit_ - taken_; }
+  // Takes what was read from files, and allows what it may become.
+  void charge_read(std::uint64_t bytes, std::string_view place);
   // Takes count * bytes_each; Error(bad_input) at `place` when that is more than what is left.
   void charge(std::uint64_t count, std::uint64_t bytes_each, std::string_view place);
 
  private:
-  std::uint64_t limit_, left_;
+  std::uint64_t limit_, allowed_, taken_ = 0;
 };
 
 }  // namespace morphcl

@@ -21,12 +21,14 @@ struct ImportLimits {
 
 struct ImportedModel {
   std::vector<Mesh> meshes;
-  std::vector<Object> objects;   // in the order they are drawn; may be empty
-  std::vector<Node> nodes;       // parents may come in any order
-  std::optional<Camera> camera;  // sits in a node
+  std::vector<Object> objects;          // in the order they are drawn; may be empty
+  std::vector<Node> nodes;              // parents may come in any order
+  std::optional<Camera> camera;         // sits in a node
+  std::optional<double> camera_aspect;  // width / height that its perspective was made for
   std::vector<Light> lights;
   double duration_seconds = 0;        // time of the last key; 0 when nothing moves
-  std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
+  std::vector<ModelPart> parts;       // what there is to choose from
+  std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn, or was mended
   std::string content_hash;           // ContentHash of every byte read, hex
 };
 

@@ -16,8 +16,8 @@ namespace morphcl {
 namespace {
 
 ObjFile read_obj(const std::string& path, const ImportLimits& limits, ImportBudget& budget, ContentHash& hash) {
-  const std::string text = read_input_file(path, budget.left());
-  budget.charge(text.size(), 1, path);
+  const std::string text = read_input_file(path, budget.left_to_read());
+  budget.charge_read(text.size(), path);
   hash.add(text);
   return parse_obj(text, path, limits, budget);
 }

@@ -115,12 +115,12 @@ class MtlReader {
     std::string text, path;
     try {
       path = confined_path(file_.path, name, limits_.allow_outside, file_.path);
-      text = read_input_file(path, budget_.left());
+      text = read_input_file(path, budget_.left_to_read());
     } catch (const Error& error) {
       refusal = {error.kind() == ErrorKind::cannot_read, error.what()};
       return false;
     }
-    budget_.charge(text.size(), 1, path);
+    budget_.charge_read(text.size(), path);
     hash_.add(text);
     read_text(text, path);
     return true;

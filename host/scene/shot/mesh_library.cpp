@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_import.hpp"
 #include "host/scene/shot/nearest_name.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -42,10 +44,29 @@ std::optional<Segments> read_segments(const ShotTable& object) {
   return Segments{.u = segment_count((*segments)[0]), .v = segment_count((*segments)[1])};
 }
 
+// A name, or an index as an integer.
+std::optional<std::string> read_choice(const ShotTable& table, const char* key) {
+  const auto value = table.find(key);
+  if (!value) return std::nullopt;
+  return value->is_text() ? value->text() : std::to_string(value->integer());
+}
+
+// A choice that the model does not have is at fault here, not in the model.
+ImportedModel import_chosen(const ShotTable& table, const std::function<ImportedModel()>& import) {
+  try {
+    return import();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::usage) throw;
+    table.value().fail(error.message());
+  }
+}
+
 // One text for all that decides which mesh an object gets; '\n' separates, as no file name in a shot may hold it.
 std::string request(const ShotTable& object) {
   std::string text = object.need("mesh").text();
   if (const auto segments = read_segments(object)) text += fmt::format("\nsegments {} {}", segments->u, segments->v);
+  for (const char* key : {"animation", "scene"})
+    if (const auto wanted = read_choice(object, key)) text += fmt::format("\n{} {}", key, *wanted);
   if (const auto targets = object.find("targets"))
     for (std::size_t i = 0; i < targets->size(); ++i) text += "\ntarget " + (*targets)[i].text();
   return text;
@@ -69,6 +90,7 @@ const ImportedModel& MeshLibrary::model(const ShotTable& object) {
   for (Mesh& mesh : model.meshes) meshes_.push_back(std::move(mesh));
   model.meshes.clear();
   warnings_.insert(warnings_.end(), model.warnings.begin(), model.warnings.end());
+  parts_.insert(parts_.end(), model.parts.begin(), model.parts.end());
   if (model.camera || !model.lights.empty())
     warnings_.push_back(fmt::format("{}: its camera and lights are not used in a shot", object.need("mesh").text()));
   if (!model.content_hash.empty()) hashes_.push_back(model.content_hash);
@@ -82,6 +104,9 @@ void MeshLibrary::add_to(ContentHash& hash) const {
 ImportedModel MeshLibrary::make_built_in(const ShotTable& object) {
   if (const auto targets = object.find("targets"))
     targets->fail("targets belong to an .obj file, not to a built-in solid");
+  for (const char* key : {"animation", "scene"})
+    if (const auto value = object.find(key))
+      value->fail(fmt::format("{} belongs to a glTF file, not to a built-in solid", key));
   const ShotValue name = object.need("mesh");
   const auto segments = read_segments(object);
   const ShotValue place = segments ? object.need("segments") : name;
@@ -112,7 +137,11 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
   const auto targets = object.find("targets");
   const bool obj = extension_of(path) == ".obj";
   if (targets && !obj) targets->fail("targets belong to an .obj file; a glTF file has its own");
-  if (!obj) return import_gltf(path, time_, limits_);
+  const ModelChoice choice{read_choice(object, "animation"), {}, read_choice(object, "scene")};
+  if (!obj) return import_chosen(object, [&] { return import_gltf(path, time_, limits_, choice); });
+  for (const char* key : {"animation", "scene"})
+    if (const auto value = object.find(key))
+      value->fail(fmt::format("{} belongs to a glTF file; an .obj has none", key));
   if (!targets) return import_obj(path, limits_);
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < targets->size(); ++i) {
@@ -122,6 +151,18 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
     paths.push_back(existing_file(target));
   }
   return import_obj_targets(path, paths, limits_);
+}
+
+ImportedModel MeshLibrary::camera_model(const ShotTable& camera) {
+  const ShotValue file = camera.need("model");
+  const std::string extension = extension_of(file.text());
+  if (extension != ".gltf" && extension != ".glb")
+    file.fail(fmt::format("model \"{}\" is not a .gltf or .glb file, which may hold cameras", file.text()));
+  const std::string path = existing_file(file);
+  const ModelChoice choice{read_choice(camera, "animation"), read_choice(camera, "name"), {}};
+  ImportedModel model = import_chosen(camera, [&] { return import_gltf_camera(path, time_, limits_, choice); });
+  hashes_.push_back(model.content_hash);
+  return model;
 }
 
 std::string MeshLibrary::existing_file(const ShotValue& reference) const {

@@ -26,9 +26,13 @@ class MeshLibrary {
   // its own list of meshes is empty. The reference holds as long as the library does.
   const ImportedModel& model(const ShotTable& object);
 
+  // The camera that the keys model, name and animation of a camera's table ask for, with the nodes that move it.
+  ImportedModel camera_model(const ShotTable& camera);
+
   const Mesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
   std::vector<Mesh> take_meshes() { return std::move(meshes_); }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<ModelPart>& parts() const { return parts_; }  // of all models
   // Adds the content of every file that was read, in the order of reading.
   void add_to(ContentHash& hash) const;
 
@@ -43,6 +47,7 @@ class MeshLibrary {
   long long max_vertices_, vertices_left_;
   std::map<std::string, ImportedModel> models_;  // by what was asked for
   std::vector<Mesh> meshes_;
+  std::vector<ModelPart> parts_;
   std::vector<std::string> warnings_, hashes_;
 };
 

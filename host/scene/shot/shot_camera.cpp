@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/scene/model/authored_camera.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "host/scene/shot/shot_projection.hpp"
 #include "host/scene/shot/vanishing_marks.hpp"
@@ -98,10 +99,28 @@ void read_camera_track(const ShotValue& value, bool by_direction, TrackReader& t
   *driven->track = tracks.read(table, distance && !is_parallel(camera.projection) ? KeyValue::positive : driven->kind);
 }
 
+Camera model_camera(const ShotTable& table, MeshLibrary& library, Scene& scene) {
+  for (const TomlEntry& entry : table.entries())
+    if (entry.key != "model" && entry.key != "name" && entry.key != "animation")
+      table.need(entry.key).fail(fmt::format("{} is the model's own where a camera is taken out of one", entry.key));
+  ImportedModel model = library.camera_model(table);
+  const int first_node = static_cast<int>(scene.timeline.nodes.size());
+  for (Node& node : model.nodes) {
+    if (node.parent >= 0) node.parent += first_node;
+    scene.timeline.nodes.push_back(std::move(node));
+  }
+  model.camera->node += first_node;
+  keep_authored_view(*model.camera, model.camera_aspect, static_cast<double>(scene.image.width) / scene.image.height);
+  return *std::move(model.camera);
+}
+
 }  // namespace
 
-ShotCamera read_camera(const ShotValue& value, TrackReader& tracks) {
-  const ShotTable table = value.table({"projection",
+ShotCamera read_camera(const ShotValue& value, TrackReader& tracks, MeshLibrary& library, Scene& scene) {
+  const ShotTable table = value.table({"model",
+                                       "name",
+                                       "animation",
+                                       "projection",
                                        "fovy_degrees",
                                        "fovx_degrees",
                                        "left",
@@ -126,6 +145,9 @@ ShotCamera read_camera(const ShotValue& value, TrackReader& tracks) {
                                        "distance",
                                        "mark_vanishing_points",
                                        "track"});
+  if (table.has("model")) return {model_camera(table, library, scene), false};
+  for (const char* key : {"name", "animation"})
+    if (const auto given = table.find(key)) given->fail(fmt::format("{} belongs to a camera out of a model", key));
   Camera camera;
   const ProjectionKind kind = read_projection_kind(table);
   if (const auto target = table.find("target")) camera.target = target->vector();

@@ -45,18 +45,19 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   if (const auto ambient = shot.find("ambient")) scene.timeline.ambient = ambient->color();
   const auto camera = shot.find("camera");
   ShotCamera shot_camera;
-  if (camera) shot_camera = read_camera(*camera, tracks);
+  MeshLibrary library(path, scene.timeline.time, options.allow_outside);
+  if (camera) shot_camera = read_camera(*camera, tracks, library, scene);
   scene.timeline.camera = std::move(shot_camera.camera);
   shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
 
-  MeshLibrary library(path, scene.timeline.time, options.allow_outside);
   ObjectReader objects(library, tracks, scene);
   shot.for_each("object", [&](const ShotValue& object) { objects.read(object); });
   const auto object_list = shot.find("object");
   if (!object_list || (object_list->is_array() && object_list->size() == 0))
     shot.value().fail("nothing to draw; a shot needs at least one [[object]] with a mesh");
   scene.meshes = library.take_meshes();
-  scene.warnings = library.warnings();
+  scene.parts = library.parts();
+  scene.warnings.insert(scene.warnings.end(), library.warnings().begin(), library.warnings().end());
   complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});
   if (shot_camera.marks_vanishing_points) add_vanishing_marks(scene);
 

@@ -68,8 +68,8 @@ std::string ObjectReader::read_name(const ShotTable& table) {
 }
 
 void ObjectReader::read(const ShotValue& object) {
-  const ShotTable table = object.table(
-      {"name", "mesh", "targets", "segments", "shading", "color", "double_sided", "transform", "elastic", "track"});
+  const ShotTable table = object.table({"name", "mesh", "animation", "scene", "targets", "segments", "shading", "color",
+                                        "double_sided", "transform", "elastic", "track"});
   const std::string name = read_name(table);
   const ImportedModel& model = library_.model(table);
 
@@ -86,6 +86,15 @@ void ObjectReader::read(const ShotValue& object) {
   std::unordered_set<std::string> driven;
   table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
   if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);
+  if (const auto color = table.find("color")) apply_alpha(*color, name, first_object);
+}
+
+void ObjectReader::apply_alpha(const ShotValue& color, const std::string& name, std::size_t first_object) {
+  const double alpha = color.size() == 4 ? color[3].number() : 1;
+  if (alpha == 0)
+    scene_.objects.resize(first_object);
+  else if (alpha < 1)
+    scene_.warnings.push_back(fmt::format("{}: not drawn: transparency (alpha {})", name, alpha));
 }
 
 void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {

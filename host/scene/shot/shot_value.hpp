@@ -38,6 +38,7 @@ class ShotValue {
   glm::dvec3 color() const;                            // [r, g, b], each >= 0
   bool is_array() const { return std::holds_alternative<TomlValue::Array>(value_->data); }
   bool is_table() const { return std::holds_alternative<TomlValue::Table>(value_->data); }
+  bool is_text() const { return std::holds_alternative<std::string>(value_->data); }
   bool is_boolean() const { return std::holds_alternative<bool>(value_->data); }
 
   std::size_t size() const;                                                   // of an array
