@@ -15,12 +15,12 @@
 namespace morphcl::cli {
 
 namespace {
-const char* shading_name(Shading shading) {
-  switch (shading) {
+const char* shading_name(const Scene& scene, const Object& object) {
+  switch (object.material.shading) {
     case Shading::flat:
       return "flat";
     case Shading::smooth:
-      return "smooth";
+      return scene.meshes[object.mesh].normals.empty() ? "flat" : "smooth";
     case Shading::unlit:
       return "unlit";
     case Shading::wireframe:
@@ -114,7 +114,7 @@ void print_json(const Scene& scene) {
   for (const Object& object : scene.objects)
     print_result(line_of(json_object("object", {{"name", object.name},
                                                 {"mesh", scene.meshes[object.mesh].name},
-                                                {"shading", shading_name(object.material.shading)},
+                                                {"shading", shading_name(scene, object)},
                                                 {"placement", describe_placement(object, nodes)}})));
   for (const std::string& warning : scene.warnings) print_result(line_of(json_object("warning", {{"text", warning}})));
 }
@@ -141,9 +141,8 @@ void print_table(const Scene& scene) {
   }
   NodeSampler nodes = first_nodes(scene);
   for (const Object& object : scene.objects)
-    rows.push_back(
-        {"object", printable(fmt::format("{}: {}, {}, {}", object.name, scene.meshes[object.mesh].name,
-                                         shading_name(object.material.shading), describe_placement(object, nodes)))});
+    rows.push_back({"object", printable(fmt::format("{}: {}, {}, {}", object.name, scene.meshes[object.mesh].name,
+                                                    shading_name(scene, object), describe_placement(object, nodes)))});
   for (const std::string& warning : scene.warnings) rows.push_back({"warning", printable(warning)});
   for (const std::string& line : aligned(rows)) print_result(line);
 }

@@ -92,10 +92,11 @@
 #define DRAW_DOUBLE_SIDED 2u  // back faces are drawn, their normals turned round
 #define DRAW_MIRRORED 4u      // front faces turn clockwise in object space
 #define DRAW_SMOOTH 8u        // normals are interpolated and lit per pixel
-#define DRAW_FLAT 16u         // one colour a face
+#define DRAW_FLAT 16u         // one colour a face, or one normal
 #define DRAW_VERTEX_COLORS 32u
-#define DRAW_PIVOT 64u       // vertices are computed relative to a pivot, which the matrices have taken in
-#define DRAW_TWO_FLOAT 128u  // vertices are computed in two floats
+#define DRAW_PIVOT 64u           // vertices are computed relative to a pivot, which the matrices have taken in
+#define DRAW_TWO_FLOAT 128u      // vertices are computed in two floats
+#define DRAW_LIT_PER_PIXEL 256u  // of a flat draw: face_colors holds its faces' normals, which are lit per pixel
 
 // ---- buffers --------------------------------------------------------------------------------------------------------
 //
@@ -209,7 +210,7 @@ typedef struct {
   uint fragment_pages, entry_pages, large_capacity;  // of one chunk
   uint writes_color, writes_depth;
   uint clips;              // 0: the plan proved that nothing needs clipping
-  uint only_faces;         // every draw is flat and without vertex colours
+  uint only_faces;         // every draw is flat, lit at its centre, and without vertex colours
   uint divides;            // 0: w is 1 everywhere
   uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written

@@ -1,8 +1,9 @@
-// light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing.
+// light_faces: one colour for each triangle of flat draws: base colour times light, from its normal after morphing. Or
+// that normal, of draws that are lit per pixel.
 //
 // In:  attributes of flat draws (morphed positions in object space), indices, draws, lights.
 // Out: face_colors[number] float4 {r, g, b, unused}: base colour times the sum of the ambient light and what every
-//      light gives at the triangle's centre.
+//      light gives at the triangle's centre. Or {x, y, z, unused}: the normal in eye space, its largest component 1.
 // Steps, 16 triangles at a time: 1 cross product of two edges in object space, 2 to eye space, unit length, 3 on a
 // double-sided draw turn it towards the eye, 4 add up the lights. A triangle without area gets the ambient light.
 // One work-item walks a chunk of primitive groups.
@@ -65,6 +66,11 @@ COMPILED_ONCE void light_chunk(uint chunk, global const FrameConstants* restrict
       normal.x = select(normal.x, -normal.x, back);
       normal.y = select(normal.y, -normal.y, back);
       normal.z = select(normal.z, -normal.z, back);
+    }
+    if (draw->flags & DRAW_LIT_PER_PIXEL) {
+      store_records(as_int16(normal.x), as_int16(normal.y), as_int16(normal.z), (int16)0,
+                    face_colors + (size_t)group * LANES);
+      continue;
     }
     const Rgb light = lambert(frame, normal, centre);
     store_records(as_int16(light.r * draw->base_color[0]), as_int16(light.g * draw->base_color[1]),

@@ -58,6 +58,9 @@ ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 d
   return frame->camera.parallel ? -depth : frame->camera.near / depth;
 }
 
+// Draws whose pixels need the weights of the mesh's vertices, or a position.
+#define NEEDS_WEIGHTS (DRAW_SMOOTH | DRAW_VERTEX_COLORS | DRAW_LIT_PER_PIXEL)
+
 // ---- what is gathered -----------------------------------------------------------------------------------------------
 
 // Record index[0] in all lanes, or record index[lane] in each.
@@ -122,11 +125,17 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   if (draw->flags & DRAW_FLAT) {
     const Lanes number = lanes_of(id.all >> PIECE_BITS);
     fetch(s->face_colors, number.lane, same, &f0, &f1, &f2, &unused);
-    surface->color.r = as_float16(f0);
-    surface->color.g = as_float16(f1);
-    surface->color.b = as_float16(f2);
+    if (draw->flags & DRAW_LIT_PER_PIXEL) {
+      surface->normal[0].x = as_float16(f0);
+      surface->normal[0].y = as_float16(f1);
+      surface->normal[0].z = as_float16(f2);
+    } else {
+      surface->color.r = as_float16(f0);
+      surface->color.g = as_float16(f1);
+      surface->color.b = as_float16(f2);
+    }
   }
-  if (!(draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return;
+  if (!(draw->flags & NEEDS_WEIGHTS)) return;
 
   uint vertex[3][LANES], corner[3][LANES];
   const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
@@ -188,6 +197,28 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   return w;
 }
 
+// Where what the pixels show is in eye space.
+ALWAYS_INLINE EyeVector eye_position(const Shader* s, Pixels p, Weights w) {
+#ifdef FORWARD_DEPTH
+  const float16 distance = w.distance;
+#else
+  const float16 distance = eye_distance(s->frame, p.depth);
+#endif
+  const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
+  EyeVector position;
+  position.x = fma(x, (float16)(s->frame->camera.ray[0]), (float16)(s->frame->camera.ray[1]));
+  position.y = fma(y, (float16)(s->frame->camera.ray[2]), (float16)(s->frame->camera.ray[3]));
+  if (s->frame->camera.parallel) {
+    position.x = fma(distance, (float16)(s->frame->camera.slant[0]), position.x);
+    position.y = fma(distance, (float16)(s->frame->camera.slant[1]), position.y);
+  } else {
+    position.x *= distance;
+    position.y *= distance;
+  }
+  position.z = -distance;
+  return position;
+}
+
 ALWAYS_INLINE Rgb smooth_light(const Shader* s, const Surface* surface, Pixels p, Weights w, float16 total) {
   EyeVector normal, position;
   normal.x = weighted(w, surface->normal[0].x, surface->normal[1].x, surface->normal[2].x);
@@ -201,34 +232,19 @@ ALWAYS_INLINE Rgb smooth_light(const Shader* s, const Surface* surface, Pixels p
   normal.y = select(normal.y, -normal.y, negative);
   normal.z = select(normal.z, -normal.z, negative);
   position.x = position.y = position.z = 0.0f;
-  if (!s->frame->has_point_lights) return lambert(s->frame, normal, position);
-#ifdef FORWARD_DEPTH
-  const float16 distance = w.distance;
-#else
-  const float16 distance = eye_distance(s->frame, p.depth);
-#endif
-  const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
-  position.x = fma(x, (float16)(s->frame->camera.ray[0]), (float16)(s->frame->camera.ray[1]));
-  position.y = fma(y, (float16)(s->frame->camera.ray[2]), (float16)(s->frame->camera.ray[3]));
-  if (s->frame->camera.parallel) {
-    position.x = fma(distance, (float16)(s->frame->camera.slant[0]), position.x);
-    position.y = fma(distance, (float16)(s->frame->camera.slant[1]), position.y);
-  } else {
-    position.x *= distance;
-    position.y *= distance;
-  }
-  position.z = -distance;
+  if (s->frame->has_point_lights) position = eye_position(s, p, w);
   return lambert(s->frame, normal, position);
 }
 
 ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels p) {
   Rgb color = surface->color;
   const uint flags = surface->draw->flags;
-  if (!(flags & (DRAW_SMOOTH | DRAW_VERTEX_COLORS))) return color;
+  if (!(flags & NEEDS_WEIGHTS)) return color;
   const Weights w = vertex_weights(s, surface, p);
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
-  if (flags & DRAW_SMOOTH) {
-    const Rgb light = smooth_light(s, surface, p, w, total);
+  if (flags & (DRAW_SMOOTH | DRAW_LIT_PER_PIXEL)) {
+    const Rgb light = flags & DRAW_SMOOTH ? smooth_light(s, surface, p, w, total)
+                                          : lambert(s->frame, surface->normal[0], eye_position(s, p, w));
     color.r *= light.r;
     color.g *= light.g;
     color.b *= light.b;

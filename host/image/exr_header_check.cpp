@@ -1,5 +1,7 @@
 #include "host/image/exr_header_check.hpp"
 
+#include <ImfCompression.h>
+#include <ImfPixelType.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -57,10 +59,36 @@ class HeaderBytes {
 };
 
 struct Part {
-  std::int64_t lines = 0;
+  std::int64_t lines = 0, width = 0;
+  std::uint64_t pixel_bytes = 0;  // of the channels that are kept
   int lines_a_chunk = 0;
+  std::uint64_t largest_ratio = 1;
   bool scan_lines = true;
 };
+
+// No file of this compression holds more pixel bytes for each of its own: what its densest code gives. Deflate makes
+// 258 bytes of two bits, PIZ's Huffman code 255 values of 16 bits of nine, RLE 128 bytes of two; DWA deflates one value
+// for a block of 64, B44A stores 3 bytes for a block of 16 values.
+std::uint64_t largest_ratio(int compression) {
+  switch (compression) {
+    case Imf::NO_COMPRESSION:
+      return 1;
+    case Imf::RLE_COMPRESSION:
+      return 64;
+    case Imf::ZIPS_COMPRESSION:
+    case Imf::ZIP_COMPRESSION:
+      return 1032;
+    case Imf::PXR24_COMPRESSION:
+      return 4 * 1032 / 3 + 1;
+    case Imf::PIZ_COMPRESSION:
+      return 454;
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION:
+      return 11;
+    default:
+      return 64 * 1032;
+  }
+}
 
 void check_side(std::string_view what, std::int64_t width, std::int64_t height) {
   constexpr std::int64_t max_side = FrameBuffer::max_side;
@@ -72,16 +100,29 @@ void check_data_window(HeaderBytes& header, Part& part) {
   std::array<std::int64_t, 4> box{};
   for (std::int64_t& side : box) side = header.signed_word();
   part.lines = box[3] - box[1] + 1;
+  part.width = box[2] - box[0] + 1;
   check_side("data window", box[2] - box[0] + 1, part.lines);
 }
 
-void check_channels(HeaderBytes& header, std::uint64_t end) {
+void check_channels(HeaderBytes& header, std::uint64_t end, Part& part) {
   constexpr std::uint64_t bytes_after_name = 16;
-  for (int count = 0; !header.name().empty(); ++count) {
-    if (count == max_channels) refuse(fmt::format("more than {} channels", max_channels));
+  int count = 0;
+  for (std::string name = header.name(); !name.empty(); name = header.name()) {
+    if (count++ == max_channels) refuse(fmt::format("more than {} channels", max_channels));
     if (header.position() + bytes_after_name >= end) refuse("the channel list is cut off");
-    header.skip_to(header.position() + bytes_after_name);
+    const std::uint64_t after = header.position() + bytes_after_name;
+    if (name == "R" || name == "G" || name == "B" || name == "A" || name == "Z")
+      part.pixel_bytes += header.word() == Imf::HALF ? 2 : 4;
+    header.skip_to(after);
   }
+}
+
+// A reader makes room for all pixels at once.
+void check_content(const HeaderBytes& header, const Part& part) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(part.lines) * static_cast<std::uint64_t>(part.width);
+  if (pixels * part.pixel_bytes / part.largest_ratio > header.left())
+    refuse(fmt::format("{} x {} pixels are more than the {} bytes of the file can hold", part.width, part.lines,
+                       header.left()));
 }
 
 // Returns false at the end of the part's header.
@@ -94,8 +135,12 @@ bool check_attribute(HeaderBytes& header, Part& part) {
     refuse(fmt::format("attribute '{}' of {} bytes is longer than the file", name, size));
   const std::uint64_t end = header.position() + static_cast<std::uint64_t>(size);
   if (name == "dataWindow" && size == 16) check_data_window(header, part);
-  if (name == "channels") check_channels(header, end);
-  if (name == "compression" && size == 1) part.lines_a_chunk = lines_per_chunk(header.byte());
+  if (name == "channels") check_channels(header, end, part);
+  if (name == "compression" && size == 1) {
+    const int compression = header.byte();
+    part.lines_a_chunk = lines_per_chunk(compression);
+    part.largest_ratio = largest_ratio(compression);
+  }
   if (name == "tiles" && size == 9) {
     const std::int64_t width = header.word(), height = header.word();
     check_side("tile", width, height);
@@ -127,6 +172,7 @@ void check_exr_header(SizedInput& input) {
       const std::int64_t chunks = (part.lines + part.lines_a_chunk - 1) / part.lines_a_chunk;
       if (static_cast<std::uint64_t>(chunks) * table_entry_bytes > header.left())
         refuse(fmt::format("the file ends within its table of {} chunks", chunks));
+      check_content(header, part);
     }
     const bool more_parts = (version & multipart_flag) != 0 && attributes > 0;
     if (first && attributes == 0) refuse("the header is empty");

@@ -71,8 +71,7 @@ FramePattern::FramePattern(const std::string& pattern) : before_(pattern) {
 
 std::string FramePattern::path(std::int64_t frame) const {
   if (!has_number_) return before_;
-  const std::uint64_t magnitude = frame < 0 ? 0 - static_cast<std::uint64_t>(frame) : static_cast<std::uint64_t>(frame);
-  return fmt::format("{}{}{:0{}}{}", before_, frame < 0 ? "-" : "", magnitude, digits_, after_);
+  return fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);  // the sign counts, as in printf
 }
 
 }  // namespace morphcl

@@ -43,7 +43,7 @@ enum class Shading { flat, smooth, unlit, wireframe };
 
 struct Material {
   glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear; alpha is not used: what is drawn is opaque
-  Shading shading = Shading::smooth;          // smooth falls back to flat on a mesh without normals
+  Shading shading = Shading::smooth;          // smooth on a mesh without normals: each face has its own, lit per pixel
   bool double_sided = false;                  // false: back faces are culled; true: drawn, and lit from their side
 };
 

@@ -99,7 +99,11 @@ class PreciseFrame {
       return v[0]->*value * hit.weight[0] + v[1]->*value * hit.weight[1] + v[2]->*value * hit.weight[2];
     };
     Vector3<Real> color = object.base_color;
-    if (object.shading == Shading::flat) color = color * light_of_face(object, *v[0], *v[1], *v[2]);
+    if (object.shading == Shading::flat) {
+      const auto [normal, middle] = face_of(object, *v[0], *v[1], *v[2]);
+      color =
+          color * lighting_.irradiance(normal, object.lit_per_pixel ? camera_.position(x, y, hit.distance) : middle);
+    }
     if (object.shading == Shading::smooth) {
       Vector3<Real> normal = mix(&PreciseVertex<Real>::normal);
       if (object.double_sided && !hit.front) normal = -normal;
@@ -109,15 +113,17 @@ class PreciseFrame {
   }
 
  private:
-  // At the middle of the face.
-  Vector3<Real> light_of_face(const PreciseObject<Real>& object, const PreciseVertex<Real>& a,
-                              const PreciseVertex<Real>& b, const PreciseVertex<Real>& c) const {
+  struct Face {
+    Vector3<Real> normal, middle;
+  };
+  Face face_of(const PreciseObject<Real>& object, const PreciseVertex<Real>& a, const PreciseVertex<Real>& b,
+               const PreciseVertex<Real>& c) const {
     const Vector3<Real> face = scaled_to_one(cross(b.position - a.position, c.position - a.position));
     Vector3<Real> normal = scaled_to_one(times_vector(object.normal_to_eye, face));
     const Vector3<Real> middle =
         times_point(object.object_to_eye, (a.position + b.position + c.position) * Real(Real(1) / 3));
     if (object.double_sided && !camera_.is_seen_from_outside(normal, middle)) normal = -normal;
-    return lighting_.irradiance(normal, middle);
+    return {normal, middle};
   }
 
   // visit(piece) for what clipping leaves of a primitive and culling does not take away.

@@ -26,6 +26,7 @@ struct PreciseObject {
   const Mesh* mesh = nullptr;
   bool drawn = false;  // visible, and there is something to draw
   Shading shading = Shading::unlit;
+  bool lit_per_pixel = false;  // flat: at each pixel, not at the middle of the face
   bool double_sided = false, mirrored = false, has_colors = false;
   Vector3<Real> base_color;
   Matrix<Real> object_to_eye;
@@ -105,7 +106,8 @@ PreciseObject<Real> make_object(const Scene& scene, std::size_t index, const Fra
   PreciseObject<Real> object;
   object.mesh = &scene.meshes[source.mesh];
   object.shading = source.material.shading;
-  if (object.shading == Shading::smooth && object.mesh->normals.empty()) object.shading = Shading::flat;
+  object.lit_per_pixel = object.shading == Shading::smooth && object.mesh->normals.empty();
+  if (object.lit_per_pixel) object.shading = Shading::flat;
   if (object.shading == Shading::wireframe) object.edges = wireframe_edges(*object.mesh);
   object.drawn = state.node_visible[source.node] != 0 && object.primitives() > 0;
   if (!object.drawn) return object;

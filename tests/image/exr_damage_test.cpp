@@ -188,13 +188,19 @@ TEST(DamagedExr, HugeAndUpsideDownWindowsAreRefused) {
 // The largest window that is accepted, in a file of 30 lines: refused before its planes take memory.
 TEST(DamagedExr, WindowLargerThanTheFileTakesNoMemory) {
   const std::vector<char> whole = encoded(disc_frame(40, 30), "zip");
-  const auto largest = [&](std::int32_t last_x, std::int32_t last_y) {
-    return with_number(with_number(whole, "dataWindow", 8, last_x), "dataWindow", 12, last_y);
+  const auto with_window = [](const std::vector<char>& file, std::int32_t last_x, std::int32_t last_y) {
+    return with_number(with_number(file, "dataWindow", 8, last_x), "dataWindow", 12, last_y);
   };
+  const auto largest = [&](std::int32_t last_x, std::int32_t last_y) { return with_window(whole, last_x, last_y); };
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   EXPECT_EQ(kind_of_failure(largest(FrameBuffer::max_side - 1, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
   EXPECT_EQ(kind_of_failure(largest(39, FrameBuffer::max_side - 1)), ErrorKind::bad_input);
+  // Few large chunks, whose table is short.
+  for (const char* compression : {"dwab", "piz", "b44a"})
+    EXPECT_EQ(kind_of_failure(with_window(encoded(disc_frame(40, 30), compression), FrameBuffer::max_side - 1, 4000)),
+              ErrorKind::bad_input)
+        << compression;
   getrusage(RUSAGE_SELF, &after);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB more than before";
 }

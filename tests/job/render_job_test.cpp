@@ -50,7 +50,7 @@ TEST(RenderJob, WritesEveryFrameAndAnswersInAscendingOrder) {
   EXPECT_EQ(frames_of(result, Status::rendered), (std::vector<std::int64_t>{-3, 2, 5, 9}));
   EXPECT_EQ(renderer.rendered, (std::vector<std::int64_t>{5, 2, 9, -3}));
   for (const FrameResult& frame : result.frames) expect_whole(frame);
-  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.-0003.exr", "a.0002.exr", "a.0005.exr", "a.0009.exr"}));
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.-003.exr", "a.0002.exr", "a.0005.exr", "a.0009.exr"}));
 }
 
 TEST(RenderJob, FramesCarryNumberRateAndFingerprint) {

@@ -3,6 +3,8 @@
 #include "morphcl/renderer.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <memory>
 
 #include "host/render/frame/frame_plan.hpp"
 #include "morphcl/error.hpp"
@@ -81,6 +83,34 @@ void expect_refusals(Renderer& renderer) {
 TEST(Renderer, ReferenceRendererRefusesWhatDoesNotFit) { expect_refusals(*make_reference_renderer()); }
 
 TEST(Renderer, DeviceRendererRefusesWhatDoesNotFit) { expect_refusals(*make_device_renderer(shared_session())); }
+
+// Two triangles, no normals, a point light: as light falls on a plane, without a seam along the diagonal.
+TEST(Renderer, AFlatQuadWithoutNormalsIsLitLikeOneWithThem) {
+  Mesh quad;
+  quad.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  quad.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Mesh with_normals = quad;
+  with_normals.normals.assign(4, {0, 0, 1});
+  const auto draw = [](const Mesh& mesh) {
+    SceneBuilder builder(48, 48);
+    builder.add(mesh, Shading::smooth, glm::dmat4(1.0), {1, 1, 1, 1});
+    const Scene scene = builder.no_lights().look({0.3, 0.2, 3}).point_light({0.4, 0.7, 0.5}, {1, 1, 1}, true).scene();
+    const Plan plan = Planner(scene).plan(0);
+    auto frame = std::make_unique<FrameBuffer>(plan->width, plan->height, true, true);
+    make_reference_renderer()->render(plan, *frame);
+    return frame;
+  };
+  const auto by_faces = draw(quad), by_normals = draw(with_normals);
+  std::size_t covered = 0;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) {
+      // Both are rounded to half once: they may fall on neighbouring values.
+      const int a = by_faces->color_row(0, y)[x], b = by_normals->color_row(0, y)[x];
+      EXPECT_LE(std::abs(a - b), 1) << x << ", " << y;
+      covered += a > 0;
+    }
+  EXPECT_GT(covered, 500u);
+}
 
 TEST(Renderer, EveryChoiceOfChannelsThatFitsIsDrawn) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();

@@ -94,6 +94,30 @@ Scene mirrored_and_two_sided(int w, int h) {
       .scene();
 }
 
+// Their faces' normals are lit at each pixel: all ways to be wound and seen, cut by the near plane, with colours.
+Scene faces_under_point_lights(int w, int h) {
+  SceneBuilder b(w, h);
+  const auto without_normals = [](Mesh mesh) {
+    mesh.normals.clear();
+    for (MorphTarget& target : mesh.targets) target.normals.clear();
+    return mesh;
+  };
+  glm::dmat4 mirror(1.0);
+  mirror[0][0] = -1.0;
+  b.add(without_normals(make_sphere({12, 6})), Shading::smooth, place({0.8, 0, 0}, 0.6));
+  b.add(without_normals(make_torus({8, 6})), Shading::smooth, mirror * place({0.8, 0.6, 0}, 0.5), {0.3, 0.8, 0.4, 1},
+        true);
+  b.add(without_normals(with_vertex_colors(make_cube())), Shading::smooth, mirror * place({0.8, -0.6, 0}, 0.4));
+  b.add(without_normals(quad(-9, 9, -9, 9, -1)), Shading::smooth, place({0, 0, 0}), {0.9, 0.9, 0.9, 1}, true);
+  b.add(without_normals(quad(-1, 9, -9, 9, 0)), Shading::smooth,
+        glm::dmat4{{0, 0, 1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {-1, 0, 0, 1}});
+  b.add(make_cube(), Shading::flat, place({0, 0.9, 0}, 0.3));
+  return b.look({0.5, 0.5, 4})
+      .point_light({1, 2, 2}, {2, 1, 0.5}, true)
+      .point_light({-2, 1, 1}, {0.1, 0.2, 0.9}, false)
+      .scene();
+}
+
 Scene lines(int w, int h) {
   SceneBuilder b(w, h);
   b.add(make_cube(), Shading::wireframe, place({0, 0, 0}), {1, 1, 1, 1});
@@ -293,6 +317,7 @@ std::vector<TestScene> test_scenes(int w, int h) {
       {"coincident", coincident(w, h), {0}},
       {"sub-pixel", sub_pixel(w, h), {0}},
       {"mirrored and two-sided", mirrored_and_two_sided(w, h), {0}},
+      {"faces under point lights", faces_under_point_lights(w, h), {0}},
       {"lines", lines(w, h), {0}},
       {"orthographic", orthographic(w, h), {0}},
       {"oblique", oblique(w, h), {0}},

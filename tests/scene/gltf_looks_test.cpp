@@ -76,7 +76,6 @@ TEST_F(GltfLooks, NormalsWithoutADirectionAreDropped) {
     const ImportedModel model = import_gltf(file.write(folder), TimeBase{});
     EXPECT_TRUE(model.meshes[0].normals.empty());
     EXPECT_TRUE(model.meshes[0].targets[0].normals.empty());
-    EXPECT_EQ(model.objects[0].material.shading, Shading::flat);
     expect_one_warning(model, "1 of 3 normals are zero or no numbers, so the faces are lit flat");
     validate(model.meshes[0]);
   }
@@ -92,6 +91,22 @@ TEST_F(GltfLooks, ColorsThatAreNoNumbersAreWhite) {
   EXPECT_EQ(model.meshes[0].colors, (std::vector<glm::vec4>{{1, 0, 0, 1}, {1, 1, 1, 1}, {1, 0, 0, 1}}));
   EXPECT_TRUE(model.meshes[0].targets[0].colors.empty());
   EXPECT_EQ(model.warnings.size(), 3u);
+}
+
+TEST_F(GltfLooks, WhatIsNoMaterialOrNoNameIsNotUsed) {
+  expect_one_warning(import({{"doubleSided", "yes"}}),
+                     "must be true or false, not string; the default material is used");
+  expect_one_warning(import({{"alphaMode", 3}}), "the default material is used");
+  for (const char* array : {"nodes", "meshes", "scenes", "cameras", "animations"}) {
+    GltfBuilder file = triangle_file();
+    file.json["scenes"] = {{{"nodes", {0}}}};
+    file.append("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+    file.animate(0, "translation", {0}, {0, 0, 0});
+    file.json[array][0]["name"] = 7;
+    const ImportedModel model = import_gltf(file.write(folder), TimeBase{});
+    EXPECT_EQ(model.objects.size(), 1u) << array;
+    expect_one_warning(model, std::string(array) + "[0].name: must be a string, not number; it is not used");
+  }
 }
 
 TEST_F(GltfLooks, UrisAsExportersWriteThem) {

@@ -167,7 +167,7 @@ TEST_F(GltfMeshes, MaterialsWithoutLightAndWithTwoSides) {
   GltfBuilder file = triangle_file();
   ImportedModel model = import(file);
   EXPECT_EQ(model.objects[0].material.base_color, glm::dvec4(1));
-  EXPECT_EQ(model.objects[0].material.shading, Shading::flat);  // no normals
+  EXPECT_EQ(model.objects[0].material.shading, Shading::smooth);
   EXPECT_FALSE(model.objects[0].material.double_sided);
   const nlohmann::json unlit = {{"KHR_materials_unlit", nlohmann::json::object()}};
   file.json["meshes"][0]["primitives"][0]["material"] =

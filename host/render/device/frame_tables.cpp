@@ -36,6 +36,7 @@ uint draw_flags(const Draw& draw) {
   if (draw.double_sided) flags |= DRAW_DOUBLE_SIDED;
   if (draw.mirrored) flags |= DRAW_MIRRORED;
   if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
+  if (draw.lit_per_pixel) flags |= DRAW_LIT_PER_PIXEL;
   if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
   if (form_of(draw) == VertexForm::two_float) flags |= DRAW_TWO_FLOAT;
   return flags;
@@ -176,7 +177,7 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
     tables.any_flat |= draw.shading == Shading::flat;
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
-    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors;
+    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors && !draw.lit_per_pixel;
   }
   order_by_distance(distances, tables.draws);
 }

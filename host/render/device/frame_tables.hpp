@@ -29,7 +29,7 @@ struct FrameTables {
   std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
   layout::FrameConstants frame{};        // without what depends on pools, chunks and where tables are
   bool any_flat = false, any_smooth = false, any_colors = false;
-  bool only_faces = true;  // every draw is flat and without vertex colours
+  bool only_faces = true;  // every draw is flat, lit at its centre, and without vertex colours
 };
 
 // Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must

@@ -31,7 +31,8 @@ struct Draw {
   std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
   std::array<float, 4> base_color;
   bool vertex_colors = false;
-  ActiveTargets targets;                           // only those with a weight other than 0
+  bool lit_per_pixel = false;  // of a flat draw: its faces' normals meet the light at each pixel, not at their centres
+  ActiveTargets targets;       // only those with a weight other than 0
   std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
   // In place of the morphed positions; then targets move normals and colours only. Null for most objects.
   std::shared_ptr<const DisplacedPositions> displaced;

@@ -55,7 +55,7 @@ static_assert(sizeof(LightKey) == 8 * 4);
 
 struct DrawKey {
   const Mesh* mesh;
-  std::uint32_t shading, double_sided, mirrored, vertex_colors_and_displaced;
+  std::uint32_t shading, double_sided, mirrored, colors_displaced_lit;
   std::array<float, 4> base_color;
   std::array<Row, 4> object_to_clip;
   std::array<Row, 3> object_to_eye;
@@ -76,10 +76,10 @@ void add(Digester& digester, const EyeLight& light) {
 void add(Digester& digester, const Draw& draw) {
   // Left out: the object's number.
   const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
-               vertex_colors, targets, accuracy, displaced] = draw;
+               vertex_colors, lit_per_pixel, targets, accuracy, displaced] = draw;
   digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading), double_sided, mirrored,
-                       vertex_colors | (displaced ? 2u : 0u), base_color, object_to_clip, object_to_eye, normal_to_eye,
-                       count(targets.size())});
+                       vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u), base_color, object_to_clip,
+                       object_to_eye, normal_to_eye, count(targets.size())});
   for (const ActiveTarget& target : targets) digester.add(target);
   if (displaced) digester.add(displaced->hash);
   const VertexAccuracy plain;

@@ -1,5 +1,7 @@
 #include "host/render/plan/make_draw.hpp"
 
+#include <algorithm>
+
 #include "morphcl/transform.hpp"
 
 namespace morphcl {
@@ -26,7 +28,13 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
 
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
-  if (draw.shading == Shading::smooth && draw.mesh->normals.empty()) draw.shading = Shading::flat;
+  draw.lit_per_pixel = false;
+  if (draw.shading == Shading::smooth && draw.mesh->normals.empty()) {
+    // The face has one normal. Light from a direction gives it one colour; a point light does not.
+    const auto is_point = [](const EyeLight& light) { return light.kind == LightKind::point; };
+    draw.shading = Shading::flat;
+    draw.lit_per_pixel = std::any_of(context.plan.lights.begin(), context.plan.lights.end(), is_point);
+  }
   if (!context.plan.color && !context.keeps_normals) {
     // Distances do not depend on colours.
     if (draw.shading != Shading::wireframe) draw.shading = Shading::unlit;
@@ -36,6 +44,8 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
     draw.shading = Shading::unlit;
     for (int i = 0; i < 3; ++i) draw.base_color[i] = draw.base_color[i] * context.plan.ambient[i];
   }
+
+  if (draw.shading != Shading::flat) draw.lit_per_pixel = false;
 
   for (int row = 0; row < 4; ++row) draw.object_to_clip[row] = to_row(object_to_clip, row);
   for (int row = 0; row < 3; ++row) draw.object_to_eye[row] = to_row(object_to_eye, row);

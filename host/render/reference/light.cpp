@@ -36,8 +36,7 @@ glm::vec3 lambert(const FramePlan& plan, const glm::vec3& normal, const glm::vec
   return sum;
 }
 
-glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a, const glm::vec3& b,
-                     const glm::vec3& c) {
+Face face_of(const FramePlan& plan, const Draw& draw, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec3 u = b - a, v = c - a;
   const glm::vec3 cross(difference_of_products(u.y, v.z, u.z, v.y), difference_of_products(u.z, v.x, u.x, v.z),
                         difference_of_products(u.x, v.y, u.y, v.x));
@@ -52,7 +51,7 @@ glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a
   // Along the line of sight through the face, away from the viewer.
   const glm::vec3 away = plan.camera.parallel ? glm::vec3(plan.camera.slant[0], plan.camera.slant[1], -1.0f) : centre;
   if (draw.double_sided && dot_product(normal, away) > 0.0f) normal = -normal;
-  return lambert(plan, normal, centre);
+  return {normal, centre};
 }
 
 }  // namespace morphcl::reference

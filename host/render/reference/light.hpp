@@ -12,8 +12,11 @@ float difference_of_products(float a, float b, float c, float d);  // a b - c d
 // Ambient light plus every light's share; normal of any length, zero: ambient only.
 glm::vec3 lambert(const FramePlan& plan, const glm::vec3& normal, const glm::vec3& eye_position);
 
-// The light of a flat triangle from its morphed corners in object space.
-glm::vec3 light_face(const FramePlan& plan, const Draw& draw, const glm::vec3& a, const glm::vec3& b,
-                     const glm::vec3& c);
+// Of a flat triangle, from its morphed corners in object space; in eye space.
+struct Face {
+  glm::vec3 normal;  // its largest component is 1 or -1; zero without area. Towards the eye on a double-sided draw
+  glm::vec3 centre;
+};
+Face face_of(const FramePlan& plan, const Draw& draw, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 }  // namespace morphcl::reference

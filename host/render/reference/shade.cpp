@@ -73,8 +73,12 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
   const glm::uvec3 triangle = draw.mesh->triangles[sample.primitive];
   const Vertex *a = &vertices[sample.draw][triangle[0]], *b = &vertices[sample.draw][triangle[1]],
                *c = &vertices[sample.draw][triangle[2]];
-  if (draw.shading == Shading::flat) color *= light_face(plan, draw, a->position, b->position, c->position);
-  if (draw.shading != Shading::smooth && !draw.vertex_colors) return color;
+  Face face;
+  if (draw.shading == Shading::flat) {
+    face = face_of(plan, draw, a->position, b->position, c->position);
+    if (!draw.lit_per_pixel) color *= lambert(plan, face.normal, face.centre);
+  }
+  if (draw.shading != Shading::smooth && !draw.lit_per_pixel && !draw.vertex_colors) return color;
 
   Weights w;
   if (sample.piece == no_piece) {
@@ -84,10 +88,13 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
     const Piece& piece = visible.pieces[sample.piece];
     w = source_weights(screen_weights(plan, piece.corner, x, y), piece);
   }
-  if (draw.shading == Shading::smooth) {
-    glm::vec3 normal = interpolate(w, a->normal, b->normal, c->normal);
-    // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
-    if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
+  if (draw.shading == Shading::smooth || draw.lit_per_pixel) {
+    glm::vec3 normal = face.normal;
+    if (draw.shading == Shading::smooth) {
+      normal = interpolate(w, a->normal, b->normal, c->normal);
+      // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
+      if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
+    }
     // A coarse depth buffer decides what is seen, not how it is lit.
     const float distance = is_forward(plan.depth_format) ? w.distance : eye_distance(plan, sample.depth);
     color *= lambert(plan, normal, eye_position(plan, x, y, distance));

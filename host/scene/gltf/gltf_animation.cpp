@@ -95,12 +95,13 @@ class AnimationReader {
   std::size_t driven_again_ = 0;
 };
 
-std::vector<ModelPart> list_animations(const GltfDocument& document, const GltfAccessors& accessors) {
+std::vector<ModelPart> list_animations(const GltfDocument& document, const GltfAccessors& accessors,
+                                       GltfWarnings& warnings) {
   std::vector<ModelPart> parts;
   std::map<int, double> last_keys;  // of the accessors that hold times
   for (std::size_t i = 0; i < document.count("animations"); ++i) {
     const GltfValue animation = document.element("animations", i);
-    ModelPart part{document.path(), ModelPart::Kind::animation, static_cast<int>(i), animation.text("name", "")};
+    ModelPart part{document.path(), ModelPart::Kind::animation, static_cast<int>(i), warnings.name_of(animation, "")};
     try {
       const GltfValue samplers = animation.get("samplers");
       for (std::size_t s = 0; s < samplers.size(); ++s) {
@@ -138,7 +139,7 @@ bool animations_collide(const GltfDocument& document) {
 GltfAnimations read_animations(const GltfDocument& document, const GltfAccessors& accessors, const TimeBase& time,
                                const std::vector<std::size_t>& node_targets, const std::optional<std::string>& wanted,
                                GltfNodes& nodes, std::vector<ModelPart>& parts, GltfWarnings& warnings) {
-  std::vector<ModelPart> animations = list_animations(document, accessors);
+  std::vector<ModelPart> animations = list_animations(document, accessors, warnings);
   std::vector<std::string> names;
   for (const ModelPart& animation : animations) names.push_back(animation.name);
   if (wanted) {

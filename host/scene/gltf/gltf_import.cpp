@@ -32,11 +32,11 @@ std::vector<NodeMesh> node_meshes(const GltfDocument& document) {
 }
 
 // The scene that is drawn, -1 when the file has none; all are listed in `parts`.
-int choose_scene(const GltfDocument& document, const std::optional<std::string>& wanted,
-                 std::vector<ModelPart>& parts) {
+int choose_scene(const GltfDocument& document, const std::optional<std::string>& wanted, std::vector<ModelPart>& parts,
+                 GltfWarnings& warnings) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < document.count("scenes"); ++i)
-    names.push_back(document.element("scenes", i).text("name", ""));
+    names.push_back(warnings.name_of(document.element("scenes", i), ""));
   const int own = document.root().index("scene", names.size(), "scenes");
   int chosen = own < 0 && !names.empty() ? 0 : own;
   if (wanted) chosen = static_cast<int>(choose(names, *wanted, "scene", document.path()));
@@ -93,7 +93,7 @@ ImportedModel import_parts(const std::string& path, const TimeBase& time, const 
   warnings.survey(document);
 
   ImportedModel model;
-  const int scene = choose_scene(document, choice.scene, model.parts);
+  const int scene = choose_scene(document, choice.scene, model.parts, warnings);
   GltfNodes nodes = read_nodes(document, scene, warnings);
   const std::vector<NodeMesh> mesh_of_node = node_meshes(document);
   const std::vector<bool> shown = meshes_too ? nodes.drawn : std::vector<bool>(nodes.drawn.size());

@@ -53,13 +53,8 @@ std::string alpha_mode(const GltfValue& material, GltfWarnings& warnings) {
   return "OPAQUE";
 }
 
-}  // namespace
-
-GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings& warnings) {
+GltfMaterial read_material(const GltfValue& json, GltfWarnings& warnings) {
   GltfMaterial result;
-  result.material.base_color = glm::dvec4(1.0);
-  if (index < 0) return result;
-  const GltfValue json = document.element("materials", static_cast<std::size_t>(index));
   result.material.base_color = base_color(json, warnings).value_or(glm::dvec4(1.0));
   if (glows(json, warnings)) warnings.not_drawn("emission");
   result.material.double_sided = json.boolean("doubleSided", false);
@@ -78,6 +73,20 @@ GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings
   if (const auto extensions = json.find("extensions"); extensions && extensions->find("KHR_materials_unlit"))
     result.material.shading = Shading::unlit;
   return result;
+}
+
+}  // namespace
+
+GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings& warnings) {
+  GltfMaterial plain;
+  plain.material.base_color = glm::dvec4(1.0);
+  if (index < 0) return plain;
+  try {
+    return read_material(document.element("materials", static_cast<std::size_t>(index)), warnings);
+  } catch (const Error& error) {
+    warnings.say(fmt::format("{}; the default material is used", error.what()));
+    return plain;
+  }
 }
 
 }  // namespace morphcl

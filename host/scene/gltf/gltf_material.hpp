@@ -12,7 +12,7 @@ struct GltfMaterial {
   bool seen = true;    // false: alpha is 0 everywhere, so there is nothing to draw
 };
 
-// `index` is -1 for a primitive without a material.
+// `index` is -1 for a primitive without a material. What is wrong with one is a warning.
 GltfMaterial read_material(const GltfDocument& document, int index, GltfWarnings& warnings);
 
 }  // namespace morphcl

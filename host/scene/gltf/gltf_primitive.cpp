@@ -142,10 +142,7 @@ std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const 
   if (!material.seen) return std::nullopt;
   if (mesh.normals.empty())
     for (MorphTarget& target : mesh.targets) target.normals.clear();
-  if (mesh.triangles.empty())
-    result.material.shading = Shading::wireframe;
-  else if (mesh.normals.empty() && result.material.shading != Shading::unlit)
-    result.material.shading = Shading::flat;
+  if (mesh.triangles.empty()) result.material.shading = Shading::wireframe;
   return result;
 }
 

@@ -26,6 +26,15 @@ void GltfWarnings::say(std::string line) {
     lines_.push_back(std::move(line));
 }
 
+std::string GltfWarnings::name_of(const GltfValue& value, std::string otherwise) {
+  try {
+    return value.text("name", otherwise);
+  } catch (const Error& error) {
+    say(fmt::format("{}; it is not used", error.what()));
+    return otherwise;
+  }
+}
+
 void GltfWarnings::survey(const GltfDocument& document) {
   if (document.count("skins") > 0) not_drawn("skins");
   if (document.count("textures") > 0) not_drawn("textures");
