@@ -3,6 +3,10 @@
 # The same arithmetic everywhere: no contraction of a*b+c into fma, no reassociation (docs/conventions.md).
 add_library(morphcl_options INTERFACE)
 target_compile_options(morphcl_options INTERFACE -ffp-contract=off)
+# GCC 12 takes the rounding out of two doubles side by side that are rounded to float and back, once it has made a vector
+# of them: p[0] = float(p[0]), p[1] = float(p[1]) does nothing at -O2 and -O3. Its vectors of loops are right. It stands
+# behind the flags of who builds the library, and is off for every version: tests/rounding holds each against it.
+target_compile_options(morphcl_options INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-tree-slp-vectorize>)
 
 add_library(morphcl_warnings INTERFACE)
 target_compile_options(morphcl_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion

@@ -32,7 +32,11 @@ Machine describe_machine(const Settings& settings, int threads) {
 #elif defined(__GNUC__)
   machine.compiler = fmt::format("GCC {}.{}", __GNUC__, __GNUC_MINOR__);
 #endif
-  machine.host_flags = has_vectors() ? "-ffp-contract=off, loops with avx2 and fma" : "-ffp-contract=off";
+  machine.host_flags = "-ffp-contract=off";
+#if defined(__GNUC__) && !defined(__clang__)
+  machine.host_flags += " -fno-tree-slp-vectorize";
+#endif
+  if (has_vectors()) machine.host_flags += ", loops with avx2 and fma";
   if (!settings.session) return machine;
   const DeviceInfo& info = settings.session->info();
   machine.device = printable(info.name);

@@ -13,10 +13,13 @@ namespace morphcl {
 
 namespace {
 
-glm::vec3 unit(const glm::dvec3& normal) {
+glm::dvec3 unit(const glm::dvec3& normal) {
   const double length = glm::length(normal);
-  return length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);  // a target's normals may cancel each other
+  return length > 0 ? normal / length : glm::dvec3(0, 0, 1);  // a target's normals may cancel each other
 }
+
+// The one rounding of a normal to what a mesh stores.
+glm::vec3 stored_normal(const glm::dvec3& normal) { return glm::vec3(unit(normal)); }
 
 std::uint64_t vertex_key(const ObjCorner& corner) {
   return std::uint64_t{corner.position} << 32 | static_cast<std::uint32_t>(corner.normal);
@@ -155,7 +158,7 @@ ObjMesh make_mesh(const ObjFile& file, const ObjPart& part, ImportBudget& budget
   budget.charge(result.vertices.size(), 2 * sizeof(glm::vec3) + sizeof(glm::vec4), file.path);
   for (const ObjCorner& vertex : result.vertices) {
     mesh.positions.push_back(file.positions[vertex.position]);
-    if (with_normals) mesh.normals.push_back(unit(file.normals[static_cast<std::size_t>(vertex.normal)]));
+    if (with_normals) mesh.normals.push_back(stored_normal(file.normals[static_cast<std::size_t>(vertex.normal)]));
     if (!file.colors.empty()) mesh.colors.emplace_back(file.colors[vertex.position], 1.0f);
   }
   cut_faces(file, part, result);
@@ -176,7 +179,7 @@ MorphTarget make_target(const ObjFile& file, const ObjPart& part, const ObjMesh&
   const std::vector<ObjCorner> corners = corners_of(file, part);
   for (std::size_t c = 0; c < corners.size(); ++c)
     sums[neutral.corner_vertices[c]] += unit(file.normals[static_cast<std::size_t>(corners[c].normal)]);
-  for (const glm::dvec3& sum : sums) target.normals.push_back(unit(sum));
+  for (const glm::dvec3& sum : sums) target.normals.push_back(stored_normal(sum));
   return target;
 }
 
