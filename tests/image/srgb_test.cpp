@@ -28,7 +28,7 @@ TEST(Srgb, EveryHalfInTheUnitIntervalIsCorrectlyRounded) {
     EXPECT_EQ(table[static_cast<std::size_t>(bits)], std::lround(code)) << "half " << bits;
     closest_to_boundary = std::min(closest_to_boundary, std::abs(code - std::floor(code) - 0.5L));
   }
-  // No half comes so near to a rounding boundary that a last bit of pow could decide.
+  // No half comes so near to a rounding boundary that a last bit of the power could decide.
   EXPECT_GT(closest_to_boundary, 1e-9L);
 }
 
@@ -44,6 +44,14 @@ TEST(Srgb, DisplayableValuesAreFiniteAndNotNegative) {
     const float value = half_of(bits);
     const float expected = !(value > 0) ? 0.0f : value > 65504 ? 65504.0f : value;
     ASSERT_EQ(table[static_cast<std::size_t>(bits)], expected) << bits;
+  }
+}
+
+TEST(Srgb, ValuesOfCodesAreCorrectlyRounded) {
+  for (int code = 0; code <= 255; ++code) {
+    const long double coded = code / 255.0L;
+    const long double linear = coded <= 0.04045L ? coded / 12.92L : std::pow((coded + 0.055L) / 1.055L, 2.4L);
+    EXPECT_EQ(linear_from_srgb8(static_cast<std::uint8_t>(code)), static_cast<float>(linear)) << "code " << code;
   }
 }
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "anim/hierarchy.hpp"
+#include "host/scene/gltf/gltf_quaternion.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -19,12 +22,12 @@ glm::dvec3 vec3(const GltfValue& json) {
 // The specification asks for a unit quaternion, which fp32 text misses by some 1e-7.
 glm::dquat unit_quaternion(const GltfValue& json, GltfWarnings& warnings) {
   constexpr double noticeable = 0.01;  // more than the step of 8-bit components
-  const std::vector<double> v = json.numbers(4);
-  const double length = std::hypot(std::hypot(v[0], v[1]), std::hypot(v[2], v[3]));
-  if (!(length > 0) || !std::isfinite(length)) json.fail("has no direction: a unit quaternion x y z w is needed");
-  if (std::abs(length - 1) > noticeable)
-    warnings.say(fmt::format("{}: of length {:.6g}; scaled to unit length", json.place(), length));
-  return {v[3] / length, v[0] / length, v[1] / length, v[2] / length};
+  std::vector<double> v = json.numbers(4);
+  const std::optional<double> length = normalize_quaternion(std::span<double, 4>(v));
+  if (!length) json.fail("has no direction: a unit quaternion x y z w is needed");
+  if (std::abs(*length - 1) > noticeable)
+    warnings.say(fmt::format("{}: of length {:.6g}; scaled to unit length", json.place(), *length));
+  return {v[3], v[0], v[1], v[2]};
 }
 
 Node read_node(const GltfValue& json, std::size_t index, GltfWarnings& warnings) {

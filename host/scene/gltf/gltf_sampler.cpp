@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 
+#include "host/scene/gltf/gltf_quaternion.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -52,10 +53,9 @@ void check_output_type(const GltfAccessors& accessors, int output, const GltfSam
                                                       : "translation or scale"));
 }
 
-void normalize_quaternion(double* q, const GltfAccessors& accessors, int output, std::size_t key) {
-  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-  if (!(length > 0)) accessors.fail(output, fmt::format("the rotation of key {} has no direction", key));
-  for (int c = 0; c < 4; ++c) q[c] /= length;
+void normalize_key(double* q, const GltfAccessors& accessors, int output, std::size_t key) {
+  if (!normalize_quaternion(std::span<double, 4>(q, 4)))
+    accessors.fail(output, fmt::format("the rotation of key {} has no direction", key));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
   std::vector<double> values = accessors.decode<double>(output);
   const std::size_t components_per_key = use.width * parts;
   if (use.rotation && parts == 1)
-    for (std::size_t key = 0; key < times.size(); ++key) normalize_quaternion(&values[4 * key], accessors, output, key);
+    for (std::size_t key = 0; key < times.size(); ++key) normalize_key(&values[4 * key], accessors, output, key);
 
   document.budget().charge(times.size() + values.size(), sizeof(double), json.place());
   std::vector<std::int64_t> ticks;
@@ -105,7 +105,7 @@ GltfSampler read_sampler(const GltfValue& json, const GltfDocument& document, co
     interpolation = Interpolation::step;
     kept.assign(kept.begin() + static_cast<std::ptrdiff_t>(use.width),
                 kept.begin() + static_cast<std::ptrdiff_t>(2 * use.width));
-    if (use.rotation) normalize_quaternion(kept.data(), accessors, output, times.size() - 1);
+    if (use.rotation) normalize_key(kept.data(), accessors, output, times.size() - 1);
   }
   GltfSampler result;
   result.last_seconds = std::max(times.back(), 0.0);
