@@ -111,8 +111,9 @@ struct Session::Impl {
     const KernelSource& source = kernel_source("self_test");
     const std::string text = text_of(source);
     if (cache->is_known_identical(text, build_options)) return;
-    self_test =
-        morphcl::run_self_test(context, queue, kernel(source, "self_test_scalar"), kernel(source, "self_test_vector"));
+    const Kernel scalar = kernel(source, "self_test_scalar");
+    const Kernel vector = kernel(source, "self_test_vector");
+    self_test = morphcl::run_self_test(context, queue, scalar, vector);
     if (self_test.verdict == Verdict::identical) cache->remember_identical(text, build_options);
   }
 };

@@ -35,6 +35,7 @@ struct Family {
 struct Result {
   std::string family, variant;
   bool ships = false;        // morphcl itself computes it so
+  bool c_library = false;    // its bits, and so its hash, may depend on the C library
   std::string place;         // "host" or "device": where the results come from
   std::size_t compared = 0;  // elements whose error was measured
   Figures figures;

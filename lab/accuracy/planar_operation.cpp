@@ -22,8 +22,11 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& operation, const st
   return XXH3_64bits_withSeed(name.data(), name.size(), seed);
 }
 
+// Every NaN as the same one: which sign and payload an operation gives it is the processor's and the compiler's choice.
 template <class Real>
-std::uint64_t hash_of_planes(const Planes<Real>& planes) {
+std::uint64_t hash_of_planes(Planes<Real> planes) {
+  for (Real& value : planes.values())
+    if (std::isnan(value)) value = std::numeric_limits<Real>::quiet_NaN();
   return XXH3_64bits(planes.values().data(), planes.values().size() * sizeof(Real));
 }
 
@@ -148,6 +151,7 @@ class FamilyRun {
     result.family = family_.name;
     result.variant = variant.name;
     result.ships = variant.ships;
+    result.c_library = variant.c_library;
     result.place = place;
     return result;
   }

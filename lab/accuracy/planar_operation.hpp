@@ -67,6 +67,7 @@ struct Variant {
   bool ships = false;                                            // morphcl computes it so
   std::function<Planes<double>(const Batch&)> stored = nullptr;  // what it reads instead of the batch's stored planes
   DevicePrepare device = nullptr;                                // its twin on the device
+  bool c_library = false;  // calls functions of the C library that are not correctly rounded
 };
 
 struct InputFamily {

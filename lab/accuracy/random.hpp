@@ -1,4 +1,5 @@
 // Pseudo-random numbers that are the same on every machine, which the distributions of the standard library are not.
+// Each number is drawn in a statement of its own: compilers differ in which argument of a call they evaluate first.
 //
 // Source of the method: SplitMix64 (Steele, Lea and Flood, 2014).
 #pragma once
@@ -23,7 +24,10 @@ class Random {
   // In [low, high]; both well within 32 bits.
   int integer(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
   // Magnitudes between 2^low and 2^(high + 1), each binade as likely; positive.
-  double binades(int low, int high) { return std::ldexp(uniform(1, 2), integer(low, high)); }
+  double binades(int low, int high) {
+    const int exponent = integer(low, high);
+    return std::ldexp(uniform(1, 2), exponent);
+  }
   // The same with either sign.
   double signed_binades(int low, int high) {
     const double magnitude = binades(low, high);

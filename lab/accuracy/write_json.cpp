@@ -29,6 +29,7 @@ Json json_figures(const Figures& figures) {
 Json json_result(const Result& result) {
   Json json = {{"family", result.family}, {"variant", result.variant},   {"ships", result.ships},
                {"place", result.place},   {"compared", result.compared}, {"hash", fmt::format("{:016x}", result.hash)}};
+  if (result.c_library) json["c_library"] = true;
   if (!result.device_bits.empty()) json["device_bits"] = result.device_bits;
   json["errors"] = json_figures(result.figures);
   json["timings"] = Json::array();

@@ -39,7 +39,8 @@ InputFamily divide_family(const char* name, const char* text, int low, int high,
           [=](Random& random, std::size_t count) {
             return drawn(random, 4, count, {}, [=](Random& r, double* in) {
               for (int axis = 0; axis < 3; ++axis) in[axis] = r.signed_binades(low, high);
-              in[3] = std::ldexp(r.uniform(1, 2), static_cast<int>(std::floor(r.uniform(w_low, w_high))));
+              const auto w_exponent = static_cast<int>(std::floor(r.uniform(w_low, w_high)));
+              in[3] = std::ldexp(r.uniform(1, 2), w_exponent);
             });
           },
           pixels};

@@ -60,6 +60,13 @@ Variant<Real> shipped(Variant<Real> variant) {
   return variant;
 }
 
+// What calls functions of the C library that are not correctly rounded, and so is not the same everywhere.
+template <class Real>
+Variant<Real> by_c_library(Variant<Real> variant) {
+  variant.c_library = true;
+  return variant;
+}
+
 // With its twin on the device, which reads no constants.
 inline Variant<float> with_kernel(Variant<float> variant, const std::string& program, const std::string& kernel) {
   variant.device = kernel_run(program, kernel, [](const Batch&) { return std::vector<double>(); });

@@ -74,8 +74,8 @@ Operation matrix_axonometric() {
     for (std::size_t r = 0; r < 6; ++r) results[r].magnitude = abs(results[r].value);
   });
   op.variants = {
-      elementwise64<2>("fp32", inlined<naive_axonometric<float>>),
-      elementwise64<2>("fp64, C library", inlined<naive_axonometric<double>>),
+      by_c_library(elementwise64<2>("fp32", inlined<naive_axonometric<float>>)),
+      by_c_library(elementwise64<2>("fp64, C library", inlined<naive_axonometric<double>>)),
       shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_axonometric_rounded>)),
       shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_axonometric_in_fp64>)),
   };

@@ -68,8 +68,8 @@ Operation matrix_oblique() {
     for (std::size_t r = 0; r < 2; ++r) results[r].magnitude = abs(results[r].value);
   });
   op.variants = {
-      elementwise64<2>("fp32", inlined<naive_oblique<float>>),
-      elementwise64<2>("fp64, C library", inlined<naive_oblique<double>>),
+      by_c_library(elementwise64<2>("fp32", inlined<naive_oblique<float>>)),
+      by_c_library(elementwise64<2>("fp64, C library", inlined<naive_oblique<double>>)),
       shipped(elementwise64<2>("morphcl, rounded once", inlined<shipped_oblique_rounded>)),
       shipped(elementwise64<2>("morphcl in fp64", inlined<shipped_oblique_in_fp64>)),
   };

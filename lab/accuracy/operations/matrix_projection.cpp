@@ -80,8 +80,8 @@ Operation matrix_projection() {
     for (std::size_t r = 0; r < 4; ++r) results[r].magnitude = abs(results[r].value);
   });
   op.variants = {
-      elementwise64<3>("fp32", inlined<naive_projection<float>>),
-      elementwise64<3>("fp64, C library", inlined<naive_projection<double>>),
+      by_c_library(elementwise64<3>("fp32", inlined<naive_projection<float>>)),
+      by_c_library(elementwise64<3>("fp64, C library", inlined<naive_projection<double>>)),
       shipped(elementwise64<3>("morphcl, rounded once", inlined<shipped_projection_rounded>)),
       shipped(elementwise64<3>("morphcl in fp64", inlined<shipped_projection_in_fp64>)),
   };

@@ -103,9 +103,9 @@ Operation matrix_rotation() {
       }
   });
   op.variants = {
-      elementwise64<4>("seven steps in fp32", inlined<chain_in_fp32>),
-      elementwise64<4>("Rodrigues in fp32", inlined<rodrigues<float>>),
-      elementwise64<4>("Rodrigues in fp64, C library", inlined<rodrigues<double>>),
+      by_c_library(elementwise64<4>("seven steps in fp32", inlined<chain_in_fp32>)),
+      by_c_library(elementwise64<4>("Rodrigues in fp32", inlined<rodrigues<float>>)),
+      by_c_library(elementwise64<4>("Rodrigues in fp64, C library", inlined<rodrigues<double>>)),
       shipped(elementwise64<4>("morphcl, rounded once", inlined<shipped_rotation_rounded>)),
       shipped(elementwise64<4>("morphcl in fp64", inlined<shipped_rotation_in_fp64>)),
   };

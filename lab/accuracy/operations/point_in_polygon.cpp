@@ -165,9 +165,9 @@ Operation point_in_polygon() {
     if (computed[0] != exact[0] && !either) events.count(Measure::wrong);
   };
   op.variants = {
-      deciding("angle sum by acos, fp32", inside_by_acos<float>),
-      deciding("angle sum by acos, fp64", inside_by_acos<double>),
-      deciding("angle sum by atan2, fp64", inside_by_atan2<double>),
+      by_c_library(deciding("angle sum by acos, fp32", inside_by_acos<float>)),
+      by_c_library(deciding("angle sum by acos, fp64", inside_by_acos<double>)),
+      by_c_library(deciding("angle sum by atan2, fp64", inside_by_atan2<double>)),
       deciding("winding, fp32",
                [](const Star& p, double x, double y) { return inside_by_winding(p, x, y, rounded_side<float>); }),
       deciding("winding, fp64",

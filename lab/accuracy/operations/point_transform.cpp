@@ -228,7 +228,8 @@ std::vector<Variant<float>> point_variants() {
   return {
       {.name = "fp32 naive",
        .prepare = on_points([](const Batch& b) { return multiply_add(composed_in_fp32(b)); }),
-       .device = f32("multiply_add", [](const Batch& b) { return flat(composed_in_fp32(b)); })},
+       .device = f32("multiply_add", [](const Batch& b) { return flat(composed_in_fp32(b)); }),
+       .c_library = true},
       {.name = "composed in fp64",
        .prepare = on_points([](const Batch& b) { return multiply_add(rounded(composed_in_fp64(b))); }),
        .device = f32("multiply_add", [](const Batch& b) { return flat(rounded(composed_in_fp64(b))); })},

@@ -64,9 +64,9 @@ Operation rotation_angle() {
     result->value = result->magnitude = exact_angle(a, b);
   });
   op.variants = {
-      elementwise64<8>("acos in fp32", inlined<angle_by_acos<float>>),
-      elementwise64<8>("acos in fp64", inlined<angle_by_acos<double>>),
-      elementwise64<8>("atan2 in fp64", inlined<angle_by_atan2<double>>),
+      by_c_library(elementwise64<8>("acos in fp32", inlined<angle_by_acos<float>>)),
+      by_c_library(elementwise64<8>("acos in fp64", inlined<angle_by_acos<double>>)),
+      by_c_library(elementwise64<8>("atan2 in fp64", inlined<angle_by_atan2<double>>)),
       shipped(elementwise64<8>("wedge product", inlined<shipped_angle>)),
   };
   op.compared = 1024;

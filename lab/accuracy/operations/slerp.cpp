@@ -82,8 +82,8 @@ Operation slerp_rotation() {
     for (std::size_t k = 0; k < 4; ++k) results[k] = {a[k] * from + b[k] * to, Number(1)};
   });
   op.variants = {
-      elementwise64<9>("acos and sin in fp32", inlined<naive_slerp<float>>),
-      elementwise64<9>("acos and sin in fp64", inlined<naive_slerp<double>>),
+      by_c_library(elementwise64<9>("acos and sin in fp32", inlined<naive_slerp<float>>)),
+      by_c_library(elementwise64<9>("acos and sin in fp64", inlined<naive_slerp<double>>)),
       elementwise64<9>("nlerp", inlined<nlerp>),
       shipped(elementwise64<9>("sinc", inlined<shipped_slerp>)),
   };

@@ -58,7 +58,7 @@ Variant<double> integrated_spring(const char* name, int substeps) {
 // x = x_p + A e^(r1 t) + B e^(r2 t), with the roots r of r^2 + 2 zeta omega r + omega^2: near critical damping A and B
 // grow without limit and cancel.
 Variant<double> two_exponentials() {
-  return following_target("two exponentials", [](double omega, double zeta) {
+  Variant<double> variant = following_target("two exponentials", [](double omega, double zeta) {
     using Complex = std::complex<double>;
     const double a = zeta * omega;
     const Complex root = std::sqrt(Complex(a * a - omega * omega)), r1 = -a + root, r2 = -a - root;
@@ -71,6 +71,8 @@ Variant<double> two_exponentials() {
       motion.v = slope + (first * r1 * e1 + second * r2 * e2).real();
     };
   });
+  variant.c_library = true;
+  return variant;
 }
 
 Variant<double> closed_form() {
