@@ -52,7 +52,9 @@ std::size_t compare_with_evaluator(const std::string& path) {
                       ", column " + std::to_string(j));
     }
     for (std::size_t object = 0; object < model.objects.size(); ++object) {
-      const std::vector<Real> weights = expected.weights(static_cast<std::size_t>(model.objects[object].node), tick);
+      const auto node = static_cast<std::size_t>(model.objects[object].node);
+      if (node >= expected.node_count()) continue;  // skinned: it hangs from a node of its own
+      const std::vector<Real> weights = expected.weights(node, tick);
       const std::vector<double> actual = weights_at(model.objects[object].morph, time, frame);
       EXPECT_EQ(weights.size(), actual.size()) << path;
       for (std::size_t target = 0; target < std::min(weights.size(), actual.size()); ++target)

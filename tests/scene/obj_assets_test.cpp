@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -33,35 +35,53 @@ void expect_within_one_step(const glm::vec3& actual, const float* expected, std:
 class RealObj : public testing::TestWithParam<std::string> {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealObj);
 
+// For each face of a file: the number of its material in the order of their first faces.
+std::vector<std::size_t> materials_of_faces(const std::string& path) {
+  std::vector<std::size_t> materials;
+  std::map<std::string, std::size_t> numbers;
+  std::ifstream file(path);
+  std::string line, material;
+  while (std::getline(file, line)) {
+    if (line.starts_with("usemtl ")) material = line;
+    if (line.starts_with("f ")) materials.push_back(numbers.try_emplace(material, numbers.size()).first->second);
+  }
+  return materials;
+}
+
 TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
   const std::string path = asset(GetParam());
   const ImportedModel model = import_obj(path);
-  const Mesh& mesh = model.meshes[0];
-  EXPECT_NO_THROW(validate(mesh));
+  for (const Mesh& mesh : model.meshes) EXPECT_NO_THROW(validate(mesh));
 
   tinyobj::ObjReaderConfig config;
   config.triangulate = false;
   tinyobj::ObjReader reader;
   ASSERT_TRUE(reader.ParseFromFile(path, config)) << reader.Error();
   const std::vector<float>& positions = reader.GetAttrib().vertices;
-  std::size_t triangle = 0;
-  std::set<std::pair<int, int>> sides;
+  const std::vector<std::size_t> materials = materials_of_faces(path);
+  std::vector<std::size_t> triangle(model.meshes.size());  // how many were compared
+  std::vector<std::set<std::pair<int, int>>> sides(model.meshes.size());
+  std::size_t face = 0;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     std::size_t first = 0;
     for (const unsigned int corners : shape.mesh.num_face_vertices) {
+      ASSERT_LT(face, materials.size());
+      const std::size_t part = materials[face++];
+      ASSERT_LT(part, model.meshes.size());
+      const Mesh& mesh = model.meshes[part];
       // The corners of a face's triangles, whichever way it was cut, are the corners of the face.
       std::set<int> expected, actual_corners;
       for (std::size_t c = 0; c < corners; ++c) {
         const int a = shape.mesh.indices[first + c].vertex_index;
         const int b = shape.mesh.indices[first + (c + 1) % corners].vertex_index;
         expected.insert(a);
-        sides.emplace(std::min(a, b), std::max(a, b));
+        sides[part].emplace(std::min(a, b), std::max(a, b));
       }
       const std::size_t triangles = std::size_t{corners} - 2;
-      ASSERT_LE(triangle + triangles, mesh.triangles.size());
+      ASSERT_LE(triangle[part] + triangles, mesh.triangles.size());
       for (std::size_t t = 0; t < triangles; ++t) {
         for (int c = 0; c < 3; ++c) {
-          const glm::vec3& p = mesh.positions[mesh.triangles[triangle][c]];
+          const glm::vec3& p = mesh.positions[mesh.triangles[triangle[part]][c]];
           int nearest = -1;
           float best = std::numeric_limits<float>::infinity();
           for (const int candidate : expected) {
@@ -74,16 +94,19 @@ TEST_P(RealObj, HasTheFacesThatTinyobjloaderSees) {
           }
           ASSERT_GE(nearest, 0);
           actual_corners.insert(nearest);
-          expect_within_one_step(p, &positions[3 * static_cast<std::size_t>(nearest)], triangle);
+          expect_within_one_step(p, &positions[3 * static_cast<std::size_t>(nearest)], triangle[part]);
         }
-        ++triangle;
+        ++triangle[part];
       }
-      EXPECT_EQ(actual_corners.size(), expected.size()) << "before triangle " << triangle;
+      EXPECT_EQ(actual_corners.size(), expected.size()) << "before triangle " << triangle[part];
       first += corners;
     }
   }
-  EXPECT_EQ(triangle, mesh.triangles.size());
-  EXPECT_EQ(wireframe_edges(mesh).size(), sides.size());
+  EXPECT_EQ(face, materials.size());
+  for (std::size_t part = 0; part < model.meshes.size(); ++part) {
+    EXPECT_EQ(triangle[part], model.meshes[part].triangles.size());
+    EXPECT_EQ(wireframe_edges(model.meshes[part]).size(), sides[part].size());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Assets, RealObj,
@@ -96,15 +119,22 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealFace);
 TEST_P(RealFace, ExpressionsFitTheNeutralFace) {
   const ImportedModel model =
       import_obj_targets(asset(GetParam()), {asset("obj_face/jawOpen.obj"), asset("obj_face/browInnerUp_L.obj")});
-  const Mesh& mesh = model.meshes[0];
-  ASSERT_EQ(mesh.positions.size(), 26719u);
-  ASSERT_EQ(mesh.targets.size(), 2u);
-  EXPECT_EQ(mesh.targets[0].name, "jawOpen");
-  for (const MorphTarget& target : mesh.targets) {
-    std::size_t moved = 0;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) moved += target.positions[i] != mesh.positions[i];
-    EXPECT_GT(moved, 100u) << target.name;
-    EXPECT_LT(moved, mesh.positions.size()) << target.name;
+  // As many as the file has pairs of position and normal, and those that two materials share twice.
+  std::size_t vertices = 0;
+  std::map<std::string, std::size_t> moved;
+  for (const Mesh& mesh : model.meshes) {
+    vertices += mesh.positions.size();
+    ASSERT_EQ(mesh.targets.size(), 2u);
+    EXPECT_EQ(mesh.targets[0].name, "jawOpen");
+    for (const MorphTarget& target : mesh.targets)
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        moved[target.name] += target.positions[i] != mesh.positions[i];
+  }
+  EXPECT_GE(vertices, 26719u);
+  EXPECT_LT(vertices, 28000u);
+  for (const auto& [target, count] : moved) {
+    EXPECT_GT(count, 100u) << target;
+    EXPECT_LT(count, vertices) << target;
   }
 }
 

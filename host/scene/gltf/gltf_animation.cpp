@@ -101,7 +101,7 @@ std::vector<ModelPart> list_animations(const GltfDocument& document, const GltfA
   std::map<int, double> last_keys;  // of the accessors that hold times
   for (std::size_t i = 0; i < document.count("animations"); ++i) {
     const GltfValue animation = document.element("animations", i);
-    ModelPart part{document.path(), ModelPart::Kind::animation, static_cast<int>(i), warnings.name_of(animation, "")};
+    ModelPart part{document.path(), ModelPart::Kind::animation, static_cast<int>(i), warnings.read_name(animation, "")};
     try {
       const GltfValue samplers = animation.get("samplers");
       for (std::size_t s = 0; s < samplers.size(); ++s) {

@@ -36,7 +36,7 @@ int choose_scene(const GltfDocument& document, const std::optional<std::string>&
                  GltfWarnings& warnings) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < document.count("scenes"); ++i)
-    names.push_back(warnings.name_of(document.element("scenes", i), ""));
+    names.push_back(warnings.read_name(document.element("scenes", i), ""));
   const int own = document.root().index("scene", names.size(), "scenes");
   int chosen = own < 0 && !names.empty() ? 0 : own;
   if (wanted) chosen = static_cast<int>(choose(names, *wanted, "scene", document.path()));

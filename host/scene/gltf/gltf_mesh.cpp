@@ -51,7 +51,7 @@ GltfMesh read_mesh(const GltfDocument& document, const GltfAccessors& accessors,
   if (const auto weights = json.find("weights")) result.weights = weights->numbers(targets);
 
   const std::vector<std::string> names = target_names(document, json, targets, warnings);
-  const std::string name = warnings.name_of(json, fmt::format("mesh{}", index));
+  const std::string name = warnings.read_name(json, fmt::format("mesh{}", index));
   for (std::size_t p = 0; p < result.primitive_count; ++p) {
     std::optional<GltfPrimitive> primitive =
         read_primitive(document, accessors, primitives[p], names, decode, warnings);

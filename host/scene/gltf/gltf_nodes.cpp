@@ -32,7 +32,7 @@ glm::dquat unit_quaternion(const GltfValue& json, GltfWarnings& warnings) {
 
 Node read_node(const GltfValue& json, std::size_t index, GltfWarnings& warnings) {
   Node node;
-  node.name = warnings.name_of(json, fmt::format("node{}", index));
+  node.name = warnings.read_name(json, fmt::format("node{}", index));
   const auto translation = json.find("translation"), rotation = json.find("rotation"), scale = json.find("scale");
   if (translation) node.translation = vec3(*translation);
   if (rotation) node.rotation = unit_quaternion(*rotation, warnings);

@@ -129,7 +129,7 @@ std::optional<GltfCamera> read_camera(const GltfDocument& document, const GltfNo
   const std::vector<int> camera_of_node = node_cameras(document, nodes.nodes.size());
   std::vector<std::string> names;
   for (std::size_t i = 0; i < document.count("cameras"); ++i)
-    names.push_back(warnings.name_of(document.element("cameras", i), ""));
+    names.push_back(warnings.read_name(document.element("cameras", i), ""));
   for (std::size_t i = 0; i < camera_of_node.size(); ++i)
     if (const int index = camera_of_node[i]; index >= 0 && names[static_cast<std::size_t>(index)].empty())
       names[static_cast<std::size_t>(index)] = nodes.nodes[i].name;

@@ -26,7 +26,7 @@ void GltfWarnings::say(std::string line) {
     lines_.push_back(std::move(line));
 }
 
-std::string GltfWarnings::name_of(const GltfValue& value, std::string otherwise) {
+std::string GltfWarnings::read_name(const GltfValue& value, std::string otherwise) {
   try {
     return value.text("name", otherwise);
   } catch (const Error& error) {

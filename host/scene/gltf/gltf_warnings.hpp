@@ -15,7 +15,7 @@ class GltfWarnings {
   void say(std::string line);  // a line of its own; repeated ones count once
 
   // The member "name", which only annotates: `otherwise` when it is missing or no text, with a warning.
-  std::string name_of(const GltfValue& value, std::string otherwise);
+  std::string read_name(const GltfValue& value, std::string otherwise);
 
   // Looks for whole features that the importer does not read: skins, textures, unknown extensions.
   void survey(const GltfDocument& document);
