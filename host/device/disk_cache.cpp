@@ -6,9 +6,10 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
+
+#include "host/temporary_file.hpp"
 
 namespace morphcl {
 
@@ -51,17 +52,6 @@ class File {
       if (got <= 0) return false;
       at += got;
       bytes -= static_cast<std::size_t>(got);
-    }
-    return true;
-  }
-
-  bool write_all(const void* data, std::size_t bytes) const {
-    for (auto* at = static_cast<const unsigned char*>(data); bytes > 0;) {
-      const ssize_t put = write(descriptor_, at, bytes);
-      if (put < 0 && errno == EINTR) continue;
-      if (put <= 0) return false;
-      at += put;
-      bytes -= static_cast<std::size_t>(put);
     }
     return true;
   }
@@ -111,20 +101,14 @@ bool DiskCache::store(const CacheKey& key, std::span<const unsigned char> conten
   if (!folder_ || content.size() > max_content_bytes) return false;
   std::error_code failure;
   fs::create_directories(*folder_, failure);
-  static std::atomic<unsigned> serial = 0;
-  const fs::path name = file_of(key);
-  const fs::path temporary = fmt::format("{}.{}.{}.tmp", name.string(), getpid(), serial++);
-  bool written = false;
-  {
-    const File file(open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
-    if (!file.is_open()) return false;
-    const Header header = header_for(key, content);
-    written = file.write_all(&header, sizeof header) && file.write_all(content.data(), content.size());
-  }
-  if (written) fs::rename(temporary, name, failure);
-  if (written && !failure) return true;
-  fs::remove(temporary, failure);
-  return false;
+  const std::string name = file_of(key).string();
+  remove_stale_temporaries(*folder_ / "");
+  TemporaryFile file(name, 0600);
+  const Header header = header_for(key, content);
+  const auto write = [&](const void* bytes, std::size_t count) {
+    return file.write_all({static_cast<const char*>(bytes), count});
+  };
+  return file.error() == 0 && write(&header, sizeof header) && write(content.data(), content.size()) && file.publish();
 }
 
 }  // namespace morphcl

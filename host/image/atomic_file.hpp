@@ -1,8 +1,7 @@
 // Files that stand under their name whole or not at all.
 //
-// The bytes go to ".NAME.HOST.PID.N.morphcl-tmp" in the same folder, are flushed to the disk and renamed; the folder is
-// flushed after that. A process that is killed leaves at most such a temporary file behind, and holds a lock on it
-// while it lives, so that another process can tell.
+// The bytes go to a temporary file in the same folder (host/temporary_file.hpp), are flushed to the disk and renamed;
+// the folder is flushed after that. A process that is killed leaves at most such a temporary file behind.
 #pragma once
 
 #include <span>
@@ -18,9 +17,5 @@ void write_file_atomically(const std::string& path, std::span<const char> bytes)
 // Makes the folder of `path`, makes a temporary file for it and removes that again: throws what
 // write_file_atomically(path, ...) would throw before its first byte.
 void check_can_create(const std::string& path);
-
-// Removes the temporary files in the folder of `path_prefix` that belong to names beginning with it, whose process (of
-// this host) is gone. Returns how many there were. Never throws: what cannot be removed stays.
-int remove_stale_temporaries(const std::string& path_prefix);
 
 }  // namespace morphcl

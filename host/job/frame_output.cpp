@@ -10,6 +10,7 @@
 #include "host/image/exr_relabel.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/pixel_hash.hpp"
+#include "host/temporary_file.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 

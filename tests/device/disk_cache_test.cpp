@@ -1,11 +1,14 @@
 // A cache file that is not exactly what was stored must be as good as missing.
 #include "host/device/disk_cache.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
+#include "host/temporary_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
@@ -69,6 +72,19 @@ TEST_F(DiskCacheFile, UnderAnotherKeysNameIsMissing) {
   const CacheKey other{key.high, key.low + 1};
   fs::rename(file(), folder / (other.hex() + ".bin"));
   EXPECT_EQ(cache.load(other), std::nullopt);
+}
+
+// As in a container that is started again: the names that this process is about to use are there, those that held no
+// host as well.
+TEST_F(DiskCacheFile, WhatAnEarlierProcessOfOurNumberLeftIsNotInTheWay) {
+  for (unsigned number = 0; number < 100; ++number) {
+    test_support::write_bytes(fmt::format("{}.{}.{}.tmp", file().string(), getpid(), number), {'x'});
+    test_support::write_bytes(temporary_name(file().string(), getpid(), number), {'x'});
+  }
+  fs::remove(file());
+  EXPECT_TRUE(cache.store(key, content));
+  EXPECT_EQ(cache.load(key), content);
+  for (const std::string& found : folder.names()) EXPECT_FALSE(found.ends_with(".morphcl-tmp")) << found;
 }
 
 TEST_F(DiskCacheFile, ReplacedByAFolderOrAPipeIsMissing) {

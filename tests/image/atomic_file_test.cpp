@@ -15,6 +15,7 @@
 #include <cstring>
 #include <functional>
 
+#include "host/temporary_file.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/image/test_frames.hpp"
@@ -162,6 +163,17 @@ TEST_F(FullDisk, FailsTheWriteAndLeavesNothing) {
   }
 }
 
+// As in a container that is started again: the names that this process is about to use are there.
+TEST(AtomicFile, WhatAnEarlierProcessOfOurNumberLeftIsNotInTheWay) {
+  const TemporaryFolder folder;
+  const std::string frame = folder / "shot.0007.exr";
+  for (unsigned number = 0; number < 200; ++number) write_bytes(temporary_name(frame, getpid(), number), some_bytes);
+  write_file_atomically(frame, some_bytes);
+  EXPECT_EQ(bytes_of(frame), some_bytes);
+  EXPECT_EQ(remove_stale_temporaries(folder / "shot."), 200) << "this process lives, but it does not hold them";
+  EXPECT_EQ(folder.names(), std::set<std::string>{"shot.0007.exr"});
+}
+
 std::string only_temporary_in(const TemporaryFolder& folder) {
   for (const std::string& name : folder.names())
     if (name.ends_with(".morphcl-tmp")) return name;
@@ -217,6 +229,20 @@ TEST(StaleTemporaries, LockedOnesAndThoseOfOtherHostsAreKept) {
   write_bytes(folder / elsewhere, some_bytes);
   EXPECT_EQ(remove_stale_temporaries(folder / "shot."), 1);
   EXPECT_EQ(folder.names(), std::set<std::string>{elsewhere});
+}
+
+// Who opens the files of this process as closed standard streams would have it must not find a frame there.
+TEST(AtomicFile, IsNeverOneOfTheStandardStreams) {
+  const TemporaryFolder folder;
+  const pid_t pid = fork();
+  if (pid == 0) {
+    for (const int stream : {0, 1, 2}) close(stream);
+    const TemporaryFile file((folder / "a").string(), 0666);
+    _exit(file.error() != 0 || write(0, "x", 1) == 1 || write(1, "x", 1) == 1 || write(2, "x", 1) == 1);
+  }
+  int status = -1;
+  waitpid(pid, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(StaleTemporaries, OtherFilesAndMissingFoldersAreNoTrouble) {

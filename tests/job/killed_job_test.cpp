@@ -4,9 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <thread>
 
+#include "host/temporary_file.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/job/fake_renderer.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -76,11 +76,7 @@ std::string stale_temporary(const std::string& file) {
   const pid_t pid = fork();
   if (pid == 0) _exit(0);
   waitpid(pid, nullptr, 0);
-  char host[65] = {};
-  gethostname(host, sizeof host - 1);
-  for (char* c = host; *c != 0; ++c)
-    if (!std::isalnum(static_cast<unsigned char>(*c))) *c = '-';
-  return "." + file + "." + host + "." + std::to_string(pid) + ".0.morphcl-tmp";
+  return std::filesystem::path(temporary_name(file, pid, 0)).filename().string();
 }
 
 TEST(KilledJob, ItsTemporaryFilesAreRemovedByTheNextJobOfThePattern) {

@@ -1,0 +1,46 @@
+#include "host/leftovers.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+namespace morphcl {
+
+namespace {
+
+struct LeftoverList {
+  std::mutex mutex;
+  std::list<std::string> paths;
+};
+
+// Never destroyed: leftovers may go later than static objects do.
+LeftoverList& leftover_list() {
+  static LeftoverList& list = *new LeftoverList;
+  return list;
+}
+
+}  // namespace
+
+Leftover::Leftover(std::string path) {
+  LeftoverList& list = leftover_list();
+  const std::lock_guard lock(list.mutex);
+  entry_ = list.paths.insert(list.paths.end(), std::move(path));
+}
+
+Leftover::~Leftover() {
+  LeftoverList& list = leftover_list();
+  const std::lock_guard lock(list.mutex);
+  list.paths.erase(entry_);
+}
+
+void remove_leftovers() {
+  LeftoverList& list = leftover_list();
+  list.mutex.lock();  // and it stays locked
+  for (const std::string& path : list.paths) {
+    std::error_code failure;
+    std::filesystem::remove_all(path, failure);
+  }
+}
+
+}  // namespace morphcl

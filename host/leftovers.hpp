@@ -1,0 +1,28 @@
+// What a process has to remove when it ends at once, without running destructors.
+#pragma once
+
+#include <list>
+#include <string>
+
+namespace morphcl {
+
+// A file or folder that this process makes for itself and that must not outlive it; made and removed by the owner. It
+// is on the list for as long as this lives.
+class Leftover {
+ public:
+  explicit Leftover(std::string path);
+  ~Leftover();
+  Leftover(const Leftover&) = delete;
+  Leftover& operator=(const Leftover&) = delete;
+
+  const std::string& path() const { return *entry_; }
+
+ private:
+  std::list<std::string>::iterator entry_;
+};
+
+// Removes all of them. From then on no thread of this process makes another one or lets go of one: it waits instead,
+// for ever. So it is for who ends the process by _exit() next. Not for signal handlers.
+void remove_leftovers();
+
+}  // namespace morphcl
