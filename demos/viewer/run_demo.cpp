@@ -11,6 +11,7 @@
 #include "demos/viewer/run_headless.hpp"
 #include "demos/viewer/run_window.hpp"
 #include "demos/viewer/shot_path.hpp"
+#include "host/standard_streams.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
 
@@ -34,7 +35,7 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
   load.width = options.size.width;
   load.height = options.size.height;
   Scene scene = load_scene(options.shot.empty() ? find_shot(settings.shot) : options.shot, load);
-  for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}: {}\n", settings.name, warning);
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}: {}\n", settings.name, printable(warning));
   FrameSource frames(std::move(scene), settings, open_session(options));
   DemoSession session(settings, frames);
   if (window) {
@@ -47,6 +48,7 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
 }  // namespace
 
 int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
+  open_closed_standard_streams();
   try {
     if (const auto options = parse_options(settings, argc, argv)) run(settings, *options);
     return 0;

@@ -109,5 +109,29 @@ TEST_F(Output, ResultsThatCannotBePrinted) {
   expect_one_line_error(result, write_failed, "stdout");
 }
 
+// By the shell, as only it starts a program with closed streams: "<&- 2>&-".
+ToolResult run_with_closed_streams(const std::string& closed, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {"sh", "-c", "exec \"$0\" \"$@\" " + closed};
+  for (const std::string& word : tool_command(arguments)) command.push_back(word);
+  return test_support::run_process(command);
+}
+
+// Files that are opened get the numbers of closed streams, and libraries print there.
+TEST_F(Output, ClosedStreamsLeaveEveryFrameWhole) {
+  const std::vector<std::string> job =
+      render({"--frames", "0-60", "-o", path("f.####.exr"), "--json", "--plan", "none"});
+  const ToolResult result = run_with_closed_streams("<&- 2>&-", job);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out_lines().size(), 62u);
+  std::vector<std::string> again = job;
+  again.push_back("--resume");
+  EXPECT_THAT(run_tool(again).out, HasSubstr("\"kept\":61"));
+}
+
+TEST_F(Output, ResultsToAClosedStdoutAreLost) {
+  const ToolResult result = run_with_closed_streams(">&-", {"plan", plant("shot.toml", cube_shot())});
+  expect_one_line_error(result, write_failed, "stdout");
+}
+
 }  // namespace
 }  // namespace morphcl::cli_test
