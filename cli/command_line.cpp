@@ -35,7 +35,10 @@ const char* const examples = R"(Examples:
   morphcl accuracy --quick
 
 Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
-69 no usable device, 73 the output cannot be created, 74 a write failed, 75 interrupted (run again with --resume).)";
+69 no usable device, 70 a defect of morphcl or of the OpenCL driver, 73 the output cannot be created, 74 a write failed,
+75 interrupted (run again with --resume).
+Signals: TERM, INT, HUP and USR1 stop a command. What is drawn is written, what takes longer than 1.5 s is given up, and
+the exit code is 75. A second one ends it at once, with 128 + its number. In neither case is anything left behind.)";
 
 void add_model_options(CLI::App& command, SceneOptions& scene) {
   const auto choice = [&command](const char* name, std::optional<std::string>& value, const char* help) {

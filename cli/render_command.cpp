@@ -1,8 +1,11 @@
 #include "cli/render_command.hpp"
 
 #include <future>
+#include <optional>
+#include <system_error>
 
 #include "cli/console.hpp"
+#include "cli/frames_in_work.hpp"
 #include "cli/render_report.hpp"
 #include "cli/stop_signals.hpp"
 #include "morphcl/error.hpp"
@@ -10,8 +13,21 @@
 
 namespace morphcl::cli {
 
+namespace {
+
+// Beside the job where a thread can be started, else when its result is waited for.
+std::future<void> start_storing_programs(const OpenedRenderer& opened) {
+  return std::async(std::launch::async | std::launch::deferred, [&opened] { opened.store_programs(); });
+}
+
+}  // namespace
+
 int render_command(const RenderOptions& options) {
-  const std::atomic<bool>& stop = stop_requested();
+  FramesInWork in_work;
+  std::atomic<std::size_t> total = 0;
+  std::optional<StopPlanScope> stop_plan(
+      std::in_place,
+      StopPlan{[&in_work] { return in_work.none(); }, [&] { return interrupted_words(in_work.whole(), total); }});
   std::optional<std::vector<FrameRange>>
       ranges;  // read first, so that a wrong one is reported before a large file is read
   if (options.frames) ranges = parse_frame_range(*options.frames);
@@ -29,7 +45,8 @@ int render_command(const RenderOptions& options) {
   job.reuse_equal_frames = options.leave_out;
   job.contact_sheet = options.contact_sheet;
   job.preview = options.preview;
-  job.stop = &stop;
+  job.stop = &stop_requested();
+  total = job.frames.size();
 
   const OpenedRenderer opened = open_renderer(options.device);
   job.threads = opened.threads;
@@ -40,17 +57,21 @@ int render_command(const RenderOptions& options) {
   settings.quiet = options.quiet;
   RenderReport report(job.frames.size(), settings);
   std::future<void> programs_stored;  // from the first frame on, as it takes about as long as compiling them did
+  job.on_drawn = [&in_work](std::int64_t frame) { in_work.drawn(frame); };
   job.on_frame = [&](const FrameResult& result) {
     report.frame(result);
+    in_work.reported(result);
     if (result.status == FrameResult::Status::rendered && !programs_stored.valid())
-      programs_stored = std::async(std::launch::async, [&opened] { opened.store_programs(); });
+      programs_stored = start_storing_programs(opened);
   };
   const JobResult result = run(job, scene, *opened.renderer);
-  if (programs_stored.valid()) {
+  stop_plan.reset();  // what there is to say of an interruption is said now
+  const int code = report.finish(result);
+  if (programs_stored.valid() && !result.interrupted) {
     programs_stored.wait();
     opened.store_programs();  // of stages that no earlier frame needed; costs nothing when there are none
   }
-  return report.finish(result);
+  return code;
 }
 
 }  // namespace morphcl::cli

@@ -34,6 +34,11 @@ std::size_t count_of(const JobResult& result, Status status) {
 }
 }  // namespace
 
+std::string interrupted_words(std::size_t whole, std::size_t total) {
+  if (total == 0) return "interrupted before the first frame; run the same command again";
+  return fmt::format("interrupted after {} of {} frames; run the same command with --resume to go on", whole, total);
+}
+
 int exit_code(const JobResult& result) {
   if (result.interrupted) return exit_interrupted;
   const std::size_t failed = count_of(result, Status::failed);
@@ -74,8 +79,7 @@ int RenderReport::finish(const JobResult& result) {
   bar_.close();
   summary(result, elapsed.count());
   if (result.interrupted)
-    print_message(fmt::format("interrupted after {} of {} frames; run the same command with --resume to go on",
-                              result.frames.size() - count_of(result, Status::failed), total_));
+    print_message(interrupted_words(result.frames.size() - count_of(result, Status::failed), total_));
   return exit_code(result);
 }
 

@@ -35,6 +35,9 @@ class RenderReport {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// What a job that is stopped says: "interrupted after 3 of 101 frames; ...". `total` is 0 while the scene is loaded.
+std::string interrupted_words(std::size_t whole, std::size_t total);
+
 // 75 when interrupted; 0 when no frame failed; the failures' common code when no frame was written, or when all of them
 // are failed writes (74: the disk is full); else 1.
 int exit_code(const JobResult& result);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
+#include <csignal>
 #include <optional>
 
 #include "host/device/cache_dir.hpp"
@@ -68,11 +70,35 @@ const FoundDevice* match(const std::vector<FoundDevice>& devices, std::string_vi
   return named != devices.end() ? &*named : nullptr;
 }
 
+// LLVM, which PoCL brings, puts handlers of its own over those of the program when it is asked for devices: USR1 would
+// do nothing, and a file size limit end the process. While this lives that is allowed. The one for SIGFPE stays: PoCL
+// needs it for kernels that divide integers by zero.
+class KeptSignalHandlers {
+ public:
+  KeptSignalHandlers() {
+    for (int number = 1; number < NSIG; ++number)
+      known_[static_cast<std::size_t>(number)] =
+          sigaction(number, nullptr, &before_[static_cast<std::size_t>(number)]) == 0;
+  }
+  ~KeptSignalHandlers() {
+    for (int number = 1; number < NSIG; ++number)
+      if (known_[static_cast<std::size_t>(number)] && number != SIGFPE)
+        sigaction(number, &before_[static_cast<std::size_t>(number)], nullptr);
+  }
+  KeptSignalHandlers(const KeptSignalHandlers&) = delete;
+  KeptSignalHandlers& operator=(const KeptSignalHandlers&) = delete;
+
+ private:
+  std::array<struct sigaction, NSIG> before_ = {};
+  std::array<bool, NSIG> known_ = {};
+};
+
 }  // namespace
 
 std::vector<FoundDevice> find_devices(const std::string& cache_dir) {
   ensure_process_prepared();
   place_pocl_cache(choose_cache_dir(cache_dir));
+  const KeptSignalHandlers kept;
   std::vector<cl::Platform> platforms;
   std::string reason = "none is installed";
   try {

@@ -165,6 +165,7 @@ void JobRun::draw_frame(PlannedFrame& planned, WrittenFramePromise written, Writ
     renderer_.render(*planned.plan, *task.pixels);
     task.result.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (job_.on_drawn) job_.on_drawn(planned.frame);
   } catch (const std::exception& error) {
     queue.give_back(std::move(task.pixels));
     set_failed(task.result, error);

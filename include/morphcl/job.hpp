@@ -44,6 +44,8 @@ struct RenderJob {
   PlanOptions plan = {};           // what is left out of frames; their pixels are the same
   std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
   bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
+  // Called from run()'s thread with the number of a frame that is drawn and goes to be written.
+  std::function<void(std::int64_t)> on_drawn = {};
   std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
   // Set by another thread or a signal: what was drawn is finished and written. It has to outlive run().
   const std::atomic<bool>* stop = nullptr;

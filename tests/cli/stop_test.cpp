@@ -21,7 +21,7 @@ class Stop : public ToolTest {
  protected:
   Stop() { plant("shot.toml", cube_shot()); }
 
-  std::vector<std::string> job(const std::string& frames, std::vector<std::string> options = {}) const {
+  std::vector<std::string> job(const std::string& frames, const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments = {"render", path("shot.toml"), "--device", "reference", "--frames", frames};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return arguments;
@@ -70,6 +70,43 @@ TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
   }
 }
 
+// LLVM, which comes with a device, puts handlers of its own over those that it finds.
+TEST_F(Stop, EachSignalIsHeardByAJobOnADevice) {
+  for (int number : {SIGUSR1, SIGTERM, SIGINT, SIGHUP}) {
+    const std::string folder = path(std::to_string(number));
+    test_support::ChildProcess process(
+        tool_command({"render", path("shot.toml"), "--frames", "0-200000", "-o", folder + "/shot.######.exr"}));
+    while (files_ending_in(".exr") < enough_files) ASSERT_TRUE(process.runs()) << process.err();
+    process.signal(number);
+    const ToolResult result = process.finish();
+    EXPECT_EQ(result.code, interrupted) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("--resume"));
+    EXPECT_EQ(files_ending_in(".exr") + 1, files().size()) << "something else was left behind";
+    std::filesystem::remove_all(folder);
+  }
+}
+
+TEST_F(Stop, WhatNohupHasIgnoredIsIgnored) {
+  std::vector<std::string> command = {"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\""};
+  for (const std::string& word : tool_command(job("0-300", {"-o", path("f.####.exr")}))) command.push_back(word);
+  test_support::ChildProcess process(command);
+  ASSERT_TRUE(process.wait_until_it_handles(SIGTERM));
+  process.signal(SIGHUP);
+  EXPECT_EQ(process.finish().code, 0);
+}
+
+// One that does not look at the flag for long: compare draws, and looks at nothing meanwhile.
+TEST_F(Stop, WhatTakesLongerIsEndedWithNothingLeftBehind) {
+  test_support::ChildProcess process(tool_command(
+      {"compare", path("shot.toml"), "--device", "reference", "--size", "8192x8192", "--out", path("out")}));
+  ASSERT_TRUE(process.wait_until_it_handles(SIGTERM));
+  process.signal(SIGTERM);
+  const ToolResult result = process.finish();
+  EXPECT_EQ(result.code, interrupted);
+  EXPECT_EQ(result.err, "morphcl: interrupted\n");
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+}
+
 TEST_F(Stop, AfterATermTheFinishedFramesAreWholeAndKept) {
   test_support::ChildProcess process(tool_command(job("0-20000")), {.folder = folder_});
   wait_for_files();
@@ -89,6 +126,22 @@ TEST_F(Stop, ASecondSignalEndsTheProcessAtOnce) {
   process.signal(SIGTERM);
   process.signal(SIGINT);
   EXPECT_THAT(process.finish().code, testing::AnyOf(128 + SIGTERM, 128 + SIGINT));
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"}) << "something was left behind";
+}
+
+// PoCL's folder, and what is on its way to the disk.
+TEST_F(Stop, ASecondSignalLeavesNothingBehindInAJobOnADevice) {
+  std::filesystem::create_directory(folder_ / "temporary");
+  test_support::ChildProcess process(
+      tool_command({"render", path("shot.toml"), "--frames", "0-200000", "-o", path("out/f.######.exr")}),
+      {.environment = {{"TMPDIR", path("temporary")}}});
+  while (files_ending_in(".exr") < enough_files) ASSERT_TRUE(process.runs()) << process.err();
+  EXPECT_FALSE(std::filesystem::is_empty(folder_ / "temporary"));
+  process.signal(SIGTERM);
+  process.signal(SIGUSR1);
+  EXPECT_THAT(process.finish().code, testing::AnyOf(128 + SIGTERM, 128 + SIGUSR1));
+  EXPECT_EQ(files_ending_in(".exr") + 1, files().size());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "temporary"));
 }
 
 TEST_F(Stop, KilledInTheMiddleItLeavesWholeFramesAndResumeCompletesThem) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 
 #include "morphcl/error.hpp"
 #include "tests/device/run_device_child.hpp"
@@ -27,6 +28,15 @@ TEST(Session, OpensTheFirstCpuDeviceByDefault) {
   ASSERT_FALSE(devices.empty());
   const auto cpu = std::find_if(devices.begin(), devices.end(), [](const DeviceInfo& info) { return info.is_cpu; });
   EXPECT_EQ(shared_session().info().index, cpu != devices.end() ? cpu->index : 0);
+}
+
+void do_nothing(int) {}
+
+TEST(Session, LeavesTheSignalHandlersOfTheProgramInPlace) {
+  constexpr int numbers[] = {SIGUSR1, SIGUSR2, SIGTERM, SIGINT, SIGHUP, SIGXFSZ, SIGSEGV, SIGABRT};
+  for (const int number : numbers) std::signal(number, do_nothing);
+  ASSERT_FALSE(list_devices().empty());
+  for (const int number : numbers) EXPECT_EQ(std::signal(number, SIG_DFL), do_nothing) << number;
 }
 
 TEST(Session, ListsDevicesWithTheirLimits) {

@@ -231,6 +231,20 @@ TEST(StaleTemporaries, LockedOnesAndThoseOfOtherHostsAreKept) {
   EXPECT_EQ(folder.names(), std::set<std::string>{elsewhere});
 }
 
+TEST(AtomicFile, IsNotLeftBehindByAProcessThatEndsAtOnce) {
+  const TemporaryFolder folder;
+  const pid_t pid = fork();
+  if (pid == 0) {
+    const TemporaryFile file((folder / "a").string(), 0666);
+    if (file.error() == 0) remove_leftovers();
+    _exit(file.error());
+  }
+  int status = -1;
+  waitpid(pid, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(folder.names(), std::set<std::string>{});
+}
+
 // Who opens the files of this process as closed standard streams would have it must not find a frame there.
 TEST(AtomicFile, IsNeverOneOfTheStandardStreams) {
   const TemporaryFolder folder;
