@@ -7,6 +7,7 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
+#include "cli/stop_signals.hpp"
 #include "host/image/atomic_file.hpp"
 #include "lab/accuracy/report.hpp"
 #include "lab/accuracy/write_files.hpp"
@@ -40,6 +41,7 @@ std::shared_ptr<Session> open_session(const DeviceOptions& options, int& threads
   SessionOptions session;
   session.device = options.device;
   try {
+    watch_driver_aborts();
     threads = prepare_process(options.threads);
     session.threads = threads;
     return Session::open(session);

@@ -5,6 +5,7 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json_object.hpp"
+#include "cli/stop_signals.hpp"
 #include "cli/table.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/session.hpp"
@@ -46,6 +47,7 @@ void print_json(const DeviceInfo& device, const std::string& verdict) {
 }  // namespace
 
 int devices_command(const DevicesOptions& options) {
+  watch_driver_aborts();
   const int threads = prepare_process(options.threads);
   std::vector<std::vector<std::string>> rows = {
       {"INDEX", "DEVICE", "PLATFORM", "UNITS", "MEMORY", "LARGEST", "LOCAL", "SELF-TEST"}};

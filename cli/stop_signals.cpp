@@ -15,6 +15,7 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "host/leftovers.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl::cli {
 
@@ -43,6 +44,20 @@ extern "C" void ask_to_stop(int signal_number) {
   if (stop_asked.exchange(true)) _exit(128 + signal_number);
 }
 
+// By which the thread that called abort() hands over to the one that waits for signals.
+int abort_notice() { return SIGRTMIN + 5; }
+
+std::atomic<bool> watching{false};
+
+extern "C" void hand_over_abort(int) {
+  constexpr char words[] = "morphcl: ended by abort()\n";
+  if (!watching || kill(getpid(), abort_notice()) != 0) {
+    const ssize_t written = write(STDERR_FILENO, words, sizeof words - 1);
+    _exit(written < 0 ? static_cast<int>(ErrorKind::internal) : static_cast<int>(ErrorKind::no_device));
+  }
+  for (;;) pause();
+}
+
 sigset_t stop_signals() {
   sigset_t set;
   sigemptyset(&set);
@@ -63,17 +78,26 @@ void install_handlers(const sigset_t& set) {
   for (const int number : {SIGPIPE, SIGXFSZ}) signal(number, SIG_IGN);
 }
 
+[[noreturn]] void end_process(int code) {
+  remove_leftovers();
+  _exit(code);
+}
+
+[[noreturn]] void end_after_abort() {
+  print_message(
+      "ended by abort(), which the OpenCL driver calls where it cannot write or start what it needs; what it says of "
+      "that "
+      "stands above; `--device reference` needs no driver");
+  end_process(static_cast<int>(ErrorKind::no_device));
+}
+
 // The signal that came, or none when the time has passed.
 std::optional<int> next_signal(const sigset_t& set, Clock::duration limit) {
   const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(limit).count();
   const timespec time = {nanoseconds / 1'000'000'000, nanoseconds % 1'000'000'000};
   const int number = sigtimedwait(&set, nullptr, &time);
+  if (number == abort_notice()) end_after_abort();
   return number > 0 ? std::optional(number) : std::nullopt;
-}
-
-[[noreturn]] void end_process(int code) {
-  remove_leftovers();
-  _exit(code);
 }
 
 void end_unless_work_would_be_lost() {
@@ -89,6 +113,7 @@ void end_unless_work_would_be_lost() {
   int number = 0;
   while (sigwait(&set, &number) != 0) {
   }
+  if (number == abort_notice()) end_after_abort();
   stop_asked = true;
   for (const auto end = Clock::now() + patience;;) {
     const auto left = end - Clock::now();
@@ -102,15 +127,20 @@ void end_unless_work_would_be_lost() {
 void watch_stop_signals() {
   const sigset_t set = stop_signals();
   install_handlers(set);
-  sigset_t blocked = set;
+  sigset_t waited = set;
+  sigaddset(&waited, abort_notice());
+  sigset_t blocked = waited;
   for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&blocked, number);
   pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
   try {
-    std::thread(wait_for_signals, set).detach();
+    std::thread(wait_for_signals, waited).detach();
+    watching = true;
   } catch (const std::system_error&) {
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   }
 }
+
+void watch_driver_aborts() { signal(SIGABRT, hand_over_abort); }
 
 const std::atomic<bool>& stop_requested() { return stop_asked; }
 

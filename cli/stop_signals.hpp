@@ -18,6 +18,10 @@ namespace morphcl::cli {
 // For main(), before there is another thread.
 void watch_stop_signals();
 
+// From now on abort(), by which PoCL ends the process where it cannot write or start what it needs, is an error in one
+// line, exit code 69, and leaves nothing behind. For who is about to open a device.
+void watch_driver_aborts();
+
 // The flag of this process.
 const std::atomic<bool>& stop_requested();
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
 #include <optional>
 
 #include "host/device/cache_dir.hpp"
@@ -70,6 +71,15 @@ const FoundDevice* match(const std::vector<FoundDevice>& devices, std::string_vi
   return named != devices.end() ? &*named : nullptr;
 }
 
+// "installed", or "found with POCL_DEVICES=gpu": what the user has set that hides devices.
+std::string installed_or_chosen() {
+  std::string set;
+  for (const char* variable : {"POCL_DEVICES", "POCL_BUILDING", "OCL_ICD_VENDORS", "OCL_ICD_FILENAMES"})
+    if (const char* value = std::getenv(variable))
+      set += fmt::format("{}{}={}", set.empty() ? "found with " : ", ", variable, value);
+  return set.empty() ? "installed" : set;
+}
+
 // LLVM, which PoCL brings, puts handlers of its own over those of the program when it is asked for devices: USR1 would
 // do nothing, and a file size limit end the process. While this lives that is allowed. The one for SIGFPE stays: PoCL
 // needs it for kernels that divide integers by zero.
@@ -100,12 +110,12 @@ std::vector<FoundDevice> find_devices(const std::string& cache_dir) {
   place_pocl_cache(choose_cache_dir(cache_dir));
   const KeptSignalHandlers kept;
   std::vector<cl::Platform> platforms;
-  std::string reason = "none is installed";
+  std::string reason = "none is " + installed_or_chosen();
   try {
     cl::Platform::get(&platforms);
   } catch (const cl::Error& error) {
     platforms.clear();
-    reason = cl_code_name(error.err());
+    if (error.err() != CL_PLATFORM_NOT_FOUND_KHR) reason = cl_code_name(error.err());
   }
   std::vector<FoundDevice> found;
   for (const cl::Platform& platform : platforms)

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <string>
 
+#include "host/device/driver_needs.hpp"
 #include "host/device/probe.hpp"
 #include "host/device/thread_count.hpp"
 #include "morphcl/session.hpp"
@@ -16,16 +18,28 @@ namespace {
 
 std::atomic<bool> prepared = false;
 
-// Two names: PoCL reads the first up to 3.1 and the second from 4.0 on.
-constexpr const char* pocl_thread_variables[] = {"POCL_MAX_PTHREAD_COUNT", "POCL_CPU_MAX_CU_COUNT"};
+// Of PoCL, by what stands in the environment.
+int driver_threads(int count) {
+  for (const char* variable : pocl_thread_variables)
+    if (const char* value = std::getenv(variable)) count = std::max(count, std::atoi(value));
+  return count;
+}
+
+void set_driver_threads(int count, bool overwrite) {
+  for (const char* variable : pocl_thread_variables) setenv(variable, std::to_string(count).c_str(), overwrite);
+}
 
 }  // namespace
 
 int prepare_process(int threads) {
-  const int count = choose_thread_count(threads);
+  int count = choose_thread_count(threads);
   // What the user told PoCL himself stands, unless he told morphcl as well.
-  const bool overwrite = threads > 0;
-  for (const char* variable : pocl_thread_variables) setenv(variable, std::to_string(count).c_str(), overwrite);
+  if (threads == 0) check_driver_variables();
+  set_driver_threads(count, threads > 0);
+  check_driver_limits();
+  const int wanted = driver_threads(count), possible = startable_threads(wanted);
+  if (possible < wanted) set_driver_threads(possible, true);
+  count = std::min(count, possible);
   prepared = true;
   probe_installation();
   return count;
@@ -35,11 +49,9 @@ void ensure_process_prepared(int threads) {
   if (!prepared) prepare_process(threads);
 }
 
-Error no_usable_device(std::string_view reason) {
-  return Error(ErrorKind::no_device, "",
-               fmt::format("no usable OpenCL device: {}; install the package pocl-opencl-icd and mount /sys, or use "
-                           "--device reference",
-                           reason));
+Error no_usable_device(std::string_view reason, std::string_view remedy) {
+  if (remedy.empty()) remedy = "install the package pocl-opencl-icd and mount /sys, or use --device reference";
+  return Error(ErrorKind::no_device, "", fmt::format("no usable OpenCL device: {}; {}", reason, remedy));
 }
 
 }  // namespace morphcl
