@@ -36,7 +36,13 @@ Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attribu
 }
 
 void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header, int threads) {
-  if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  if (threads > 1 && threads > Imf::globalThreadCount()) {
+    try {
+      Imf::setGlobalThreadCount(threads);
+    } catch (const std::exception&) {
+      threads = 1;  // the system starts no more
+    }
+  }
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, threads > 1 ? threads : 0);
   file.setFrameBuffer(planes_to_write(frame));

@@ -10,6 +10,7 @@
 
 #include "host/image/exr_stream.hpp"
 #include "host/image/exr_zip_chunk.hpp"
+#include "host/threads.hpp"
 
 namespace morphcl {
 
@@ -58,17 +59,16 @@ void write_header(std::vector<char>& bytes, const Imf::Header& header) {
 // Runs of chunks by further threads, in the order of the file.
 std::vector<ChunkRun> encode_with_threads(const FrameBuffer& frame, ZlibEffort effort, int chunk_count, int threads) {
   std::vector<ChunkRun> runs(static_cast<std::size_t>(threads));
+  const auto encode_run = [&](int i) {
+    ChunkRun& run = runs[static_cast<std::size_t>(i)];
+    try {
+      encode_chunks(run.bytes, run.offsets, frame, effort, chunk_count * i / threads, chunk_count * (i + 1) / threads);
+    } catch (...) {
+      run.failure = std::current_exception();
+    }
+  };
   std::vector<std::jthread> workers;
-  for (int i = 0; i < threads; ++i)
-    workers.emplace_back([&, i] {
-      ChunkRun& run = runs[static_cast<std::size_t>(i)];
-      try {
-        encode_chunks(run.bytes, run.offsets, frame, effort, chunk_count * i / threads,
-                      chunk_count * (i + 1) / threads);
-      } catch (...) {
-        run.failure = std::current_exception();
-      }
-    });
+  for (int i = start_threads(workers, threads, encode_run); i < threads; ++i) encode_run(i);
   workers.clear();  // a jthread joins when it goes
   for (const ChunkRun& run : runs)
     if (run.failure) std::rethrow_exception(run.failure);

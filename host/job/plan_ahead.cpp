@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "host/threads.hpp"
+
 namespace morphcl {
 
 PlannedFrame plan_with_digest(const Planner& planner, std::int64_t frame) {
@@ -17,7 +19,9 @@ PlannedFrame plan_with_digest(const Planner& planner, std::int64_t frame) {
 }
 
 PlanAhead::PlanAhead(const Planner& planner, std::span<const std::int64_t> frames)
-    : planner_(planner), frames_(frames), thread_([this] { make_plans(); }) {}
+    : planner_(planner), frames_(frames) {
+  start_threads(threads_, 1, [this](int) { make_plans(); });
+}
 
 PlanAhead::~PlanAhead() {
   {
@@ -28,6 +32,7 @@ PlanAhead::~PlanAhead() {
 }
 
 PlannedFrame PlanAhead::next() {
+  if (threads_.empty()) return plan_with_digest(planner_, frames_[next_++]);
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return ready_.has_value(); });
   PlannedFrame planned = std::move(*ready_);

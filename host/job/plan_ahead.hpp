@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <thread>
+#include <vector>
 
 #include "host/render/frame/plan_digest.hpp"
 #include "morphcl/planner.hpp"
@@ -43,7 +44,8 @@ class PlanAhead {
   std::condition_variable changed_;
   std::optional<PlannedFrame> ready_;
   bool stopped_ = false;
-  std::jthread thread_;
+  std::size_t next_ = 0;               // of frames_, where there is no thread
+  std::vector<std::jthread> threads_;  // one, or none where the system starts none: then next() makes the plan
 };
 
 }  // namespace morphcl

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "host/threads.hpp"
+#include "morphcl/error.hpp"
+
 namespace morphcl {
 
 WriteQueue::WriteQueue(Limits limits, std::function<std::unique_ptr<FrameBuffer>()> make_buffer,
@@ -10,7 +13,19 @@ WriteQueue::WriteQueue(Limits limits, std::function<std::unique_ptr<FrameBuffer>
       write_(std::move(write)),
       max_waiting_(static_cast<std::size_t>(limits.buffers) + static_cast<std::size_t>(limits.threads)),
       buffers_left_to_make_(limits.buffers) {
-  for (int i = 0; i < limits.threads; ++i) threads_.emplace_back([this] { write_frames(); });
+  const auto work = [this](int) { write_frames(); };
+  const int started = start_threads(threads_, limits.threads, work);
+  if (started > 1 && started < limits.threads) {
+    // The system has no more to give, and others need some too, as a driver does that links what it compiles.
+    join();
+    closed_ = false;
+    start_threads(threads_, started / 2, work);
+  }
+  if (threads_.empty())
+    throw Error(
+        ErrorKind::no_device, "",
+        "no thread can be started here to write frames; raise the limit of processes (ulimit -u, pids.max) or of "
+        "memory (ulimit -v)");
 }
 
 WriteQueue::~WriteQueue() { join(); }

@@ -35,6 +35,7 @@ class WriteQueue {
     int buffers = 1;  // frame buffers at most, made by `make_buffer` when first needed and used again
     int threads = 1;  // that run `write` on the tasks, in the order in which they were put
   };
+  // With fewer threads where the system starts no more; Error(no_device) where it starts none.
   WriteQueue(Limits limits, std::function<std::unique_ptr<FrameBuffer>()> make_buffer,
              std::function<void(FrameTask&, const ReleasePixels&)> write);
   ~WriteQueue();  // waits for the tasks that were put
