@@ -44,6 +44,34 @@ TEST(TomlDocument, KnowsThePlaceOfEveryValue) {
   EXPECT_EQ(std::get<double>(number.data), 2.5);
 }
 
+// The library looks whether such a letter ends a value, by a function that is undefined for most of them.
+TEST(TomlDocument, LettersOutsideAsciiAreRefusedWithTheirPlaceOrRead) {
+  EXPECT_EQ(toml_refusal("a = [ä]").substr(0, 9), "file:1:6:");
+  EXPECT_EQ(toml_refusal("b = 1\na = ä").substr(0, 9), "file:2:5:");
+  EXPECT_EQ(toml_refusal("a = 1ä").substr(0, 9), "file:1:6:");
+  EXPECT_EQ(toml_refusal("ä = 1").substr(0, 9), "file:1:1:");
+  EXPECT_EQ(toml_refusal("a = { ж = 1 }").substr(0, 7), "file:1:");
+  EXPECT_EQ(toml_refusal("a = true漢").substr(0, 7), "file:1:");
+  EXPECT_EQ(toml_refusal("a = \"\"\"\\ä\"\"\"").substr(0, 7), "file:1:");
+  for (const char* text : {"a = \"ä\" # ж", "a = \"\"\"\\\n  ä\"\"\"", "a = '''\nä'''"}) {
+    const TomlValue root = parse_toml(text, "file");
+    EXPECT_EQ(std::get<std::string>(std::get<TomlValue::Table>(root.data)[0].value.data), "ä") << text;
+  }
+  // Every letter of the lower blocks and some of all others, where the function is asked.
+  for (unsigned c = 0x80; c < 0x10000; c += c < 0x500 ? 1 : 61) {
+    if (c >= 0xd800 && c < 0xe000) continue;
+    std::string letter;
+    if (c < 0x800) {
+      letter = {static_cast<char>(0xc0 | c >> 6), static_cast<char>(0x80 | (c & 0x3f))};
+    } else {
+      letter = {static_cast<char>(0xe0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3f)),
+                static_cast<char>(0x80 | (c & 0x3f))};
+    }
+    EXPECT_NE(toml_refusal("a = [" + letter + "x]"), "accepted") << c;
+    EXPECT_NE(toml_refusal("a = 1" + letter + "x"), "accepted") << c;
+  }
+}
+
 TEST(TomlDocument, RefusesDeepNesting) {
   EXPECT_NE(toml_refusal(std::string("a = ") + repeated("[", 100) + repeated("]", 100)).find("nested deeper than 64"),
             std::string::npos);
