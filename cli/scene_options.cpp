@@ -2,6 +2,7 @@
 
 #include "cli/console.hpp"
 #include "cli/option_values.hpp"
+#include "cli/stop_signals.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
 
@@ -13,6 +14,7 @@ Scene open_scene(const SceneOptions& options) {
   load.animation = options.animation;
   load.camera = options.camera;
   load.scene = options.scene;
+  load.stop = &stop_requested();
   if (options.fps) load.fps = parse_fps(*options.fps);
   ImageSettings checked;  // so that a wrong option is reported before a large file is read
   if (options.size) {

@@ -127,8 +127,8 @@ class SceneHasher {
     add_all(width, height, color, depth, std::string_view(compression), depth_format);
   }
   void add(const Scene& scene) {
-    const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash] =
-        scene;
+    const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,
+                 inputs] = scene;
     add_all(meshes, objects, timeline, image, accuracy_pixels, std::string_view(content_hash));
   }
 

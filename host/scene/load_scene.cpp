@@ -31,6 +31,7 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   scene.parts = std::move(model.parts);
   scene.warnings = std::move(model.warnings);
   scene.content_hash = std::move(model.content_hash);
+  scene.inputs = std::move(model.inputs);
   scene.timeline.time = options.fps.value_or(TimeBase{});
   scene.timeline.nodes = std::move(model.nodes);
   scene.timeline.lights = std::move(model.lights);
@@ -69,6 +70,7 @@ Scene load(const std::string& path, const LoadOptions& options) {
   const TimeBase time = options.fps.value_or(TimeBase{});
   ImportLimits limits;
   limits.allow_outside = options.allow_outside;
+  limits.stop = options.stop;
   const ModelChoice choice{options.animation, options.camera, options.scene};
   if (extension == ".gltf" || extension == ".glb") return scene_of(import_gltf(path, time, limits, choice), options);
   refuse_choice(options, path,

@@ -14,10 +14,11 @@ enum class ErrorKind : int {
   usage = 2,           // the caller asked for something that makes no sense
   bad_input = 65,      // a shot, a model, or data of a scene made in code (a mesh, keys, a size) is wrong
   cannot_read = 66,    // an input is missing or unreadable
-  no_device = 69,      // no usable OpenCL device
+  no_device = 69,      // no usable OpenCL device, or not the memory, threads or scratch space that the work takes
   internal = 70,       // a defect of morphcl or of the OpenCL driver
   cannot_create = 73,  // an output cannot be created
   write_failed = 74,   // an output was created but not all of it could be written
+  interrupted = 75,    // whoever asked for it has asked to stop
 };
 
 class Error : public std::runtime_error {

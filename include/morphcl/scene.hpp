@@ -2,6 +2,7 @@
 // model.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -90,6 +91,7 @@ struct Scene {
   std::vector<ModelPart> parts;       // of the model files that were read
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn
   std::string content_hash;           // hex xxh3-128 of every byte read for this scene; "" for one made in code
+  std::vector<std::string> inputs;    // paths of the files that were read; a job does not write over them
 
   // An object with a mesh and a root node of its own, whose static_transform is placing.matrix(); all morph weights are
   // 0. Returns the object's index. Error(usage) when the matrix overflows.
@@ -119,6 +121,8 @@ struct LoadOptions {
   // when no two move the same; the camera is the first of the drawn nodes; the scene is the file's own, else its first.
   // A shot says so itself, for each object.
   std::optional<std::string> animation = {}, camera = {}, scene = {};
+  // Set by another thread or a signal: loading ends with Error(interrupted). It has to outlive load_scene().
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw

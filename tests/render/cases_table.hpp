@@ -334,7 +334,7 @@ inline std::vector<Case> cases_table() {
        done,
        {"missing.mtl: No such file or directory; the default colour is used"},
        like("01-wings-empty-normal/block.obj")},
-      {"38-missing-beside-bare-name/s.toml", bad_input, {"4:6: there is no file \"nothere.obj\""}, not_drawn},
+      {"38-missing-beside-bare-name/s.toml", cannot_read, {"4:6: there is no file \"nothere.obj\""}, not_drawn},
       {"39-required/EXT_lights_image_based.gltf",
        done,
        {"not drawn: extension EXT_lights_image_based"},

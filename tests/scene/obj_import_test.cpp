@@ -34,6 +34,23 @@ using Triangles = std::vector<glm::uvec3>;
 using Edges = std::vector<glm::uvec2>;
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
+TEST_F(ObjImport, IsStoppedWhileItReads) {
+  const std::atomic<bool> stop = true;
+  ImportLimits limits;
+  limits.stop = &stop;
+  const std::string path = folder.write("model.obj", "# only\nvt 0 0\ns 1\n");
+  expect_refusal([&] { import_obj(path, limits); }, ErrorKind::interrupted, path, "interrupted");
+}
+
+TEST_F(ObjImport, TheFilesThatWereReadAreNamed) {
+  const std::string library = folder.write("colors.mtl", "newmtl red\nKd 1 0 0\n");
+  const std::string path = folder.write("model.obj", "mtllib colors.mtl\nusemtl red\n" + square + "f 1 2 3 4\n");
+  const std::vector<std::string> inputs = import_obj(path).inputs;
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs[0], path);
+  EXPECT_EQ(std::filesystem::path(inputs[1]).filename(), "colors.mtl");
+}
+
 TEST_F(ObjImport, QuadKeepsItsOwnSides) {
   const ImportedModel model = import_obj(folder.write("plate.obj", square + "f 1 2 3 4\n"));
   const Mesh& plate = model.meshes[0];

@@ -17,6 +17,7 @@ std::string ShotFolder::refusal(std::string_view shot, const LoadOptions& option
     const std::string prefix = folder_.path().string() + "/";
     for (std::size_t at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
       line.erase(at, prefix.size());
+    if (error.kind() == ErrorKind::cannot_read) return "cannot read: " + line;
     return (error.kind() == ErrorKind::bad_input ? "" : "NOT bad_input: ") + line;
   }
   return "";

@@ -66,14 +66,10 @@ INSTANTIATE_TEST_SUITE_P(
     bad_object_name);
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongObject,
-                         ::testing::Values(BadObject{"Missing", "mesh = \"none.obj\"",
-                                                     "2:8: there is no file \"none.obj\""},
-                                           BadObject{"SegmentsOfAFile", "mesh = \"a.obj\"\nsegments = [3, 3]",
+                         ::testing::Values(BadObject{"SegmentsOfAFile", "mesh = \"a.obj\"\nsegments = [3, 3]",
                                                      "3:12: segments belong to a built-in solid, not to a file"},
                                            BadObject{"TargetsOfASolid", "mesh = \"cube\"\ntargets = [\"a.obj\"]",
                                                      "3:11: targets belong to an .obj file, not to a built-in solid"},
-                                           BadObject{"TargetMissing", "mesh = \"a.obj\"\ntargets = [\"none.obj\"]",
-                                                     "3:12: there is no file \"none.obj\""},
                                            BadObject{"TargetNotObj", "mesh = \"a.obj\"\ntargets = [\"b.gltf\"]",
                                                      "3:12: target \"b.gltf\" is not an .obj file"}),
                          bad_object_name);
@@ -204,6 +200,16 @@ TEST(WrongShotFile, MissingIsAnInputThatCannotBeRead) {
   }
 }
 
+// As for the shot itself.
+TEST(WrongShotFile, NamesAModelThatIsMissing) {
+  const ShotFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(folder.refusal("[[object]]\nmesh = \"none.obj\""),
+            "cannot read: shot.toml:2:8: there is no file \"none.obj\"");
+  EXPECT_EQ(folder.refusal("[[object]]\nmesh = \"a.obj\"\ntargets = [\"none.obj\"]"),
+            "cannot read: shot.toml:3:12: there is no file \"none.obj\"");
+}
+
 TEST(WrongShotFile, OfAnotherKindIsAUsageError) {
   const ShotFolder folder;
   folder.write("picture.png", "");
@@ -234,7 +240,8 @@ TEST(WrongShotFile, MayNotNameFilesOutsideItsFolder) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_input);
     EXPECT_EQ(error.place(), folder.path("deep/shot.toml") + ":2:8");
   }
-  EXPECT_EQ(load_scene(folder.path("deep/shot.toml"), {.allow_outside = true, .fps = {}, .width = {}, .height = {}})
+  EXPECT_EQ(load_scene(folder.path("deep/shot.toml"),
+                       {.allow_outside = true, .fps = {}, .width = {}, .height = {}, .stop = nullptr})
                 .objects.size(),
             1u);
 }
@@ -245,7 +252,7 @@ TEST(WrongShotFile, BuiltInSolidsHaveALimitTogether) {
       "a = { mesh = \"cube\" }\nb = { mesh = \"grid\", segments = [3, 3] }\nc = { mesh = \"teapot\" }\n", file);
   const ShotTable shot = ShotValue(file, document, "a shot").table({"a", "b", "c"});
   const auto object = [&](const char* key) { return shot.need(key).table({"mesh", "segments"}); };
-  MeshLibrary library(file, {}, false, 24 + 16);
+  MeshLibrary library(file, {}, {}, 24 + 16);
   library.model(object("a"));
   library.model(object("b"));
   library.model(object("a"));  // known already: not counted again

@@ -80,9 +80,9 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
 GltfDocument::GltfDocument(const std::string& path, const ImportLimits& limits)
     : path_(path),
       limits_(limits),
-      budget_(limits.max_decoded_bytes),
-      file_(read_input_file(path, limits.max_decoded_bytes)) {
-  budget_.charge_read(file_.size(), path_);
+      budget_(limits.max_decoded_bytes, limits.stop),
+      file_(read_input_file(path, budget_.left_to_read())) {
+  budget_.charge_file(path_, file_.size(), path_);
   hash_.add(file_);
   const GltfContainer parts = split_gltf(file_, path_);
   parse(parts.json);
@@ -176,7 +176,10 @@ bool GltfDocument::points_at_materials_only() const {
 // Exporters also write names as they are, with a '%' or a '\\' in them.
 std::string GltfDocument::read_uri(const GltfValue& uri) {
   const auto read = [&](std::string_view name) {
-    return read_input_file(confined_path(path_, name, limits_.allow_outside, uri.place()), budget_.left_to_read());
+    const std::string file = confined_path(path_, name, limits_.allow_outside, uri.place());
+    std::string bytes = read_input_file(file, budget_.left_to_read());
+    budget_.charge_file(file, bytes.size(), uri.place());
+    return bytes;
   };
   try {
     return read(decode_percent(uri.text(), uri.place()));
@@ -210,7 +213,6 @@ void GltfDocument::load_buffers(const std::optional<std::string_view>& binary_ch
       bytes = *storage_.emplace_back(std::make_unique<std::string>(decode_data_uri(uri->text(), uri->place())));
     } else {
       bytes = *storage_.emplace_back(std::make_unique<std::string>(read_uri(*uri)));
-      budget_.charge_read(bytes.size(), uri->place());
       hash_.add(bytes);
     }
     if (bytes.size() < length)

@@ -126,6 +126,7 @@ ImportedModel import_parts(const std::string& path, const TimeBase& time, const 
   model.duration_seconds = animations.duration_seconds;
   model.warnings = warnings.lines();
   model.content_hash = document.content_hash();
+  model.inputs = document.budget().inputs();
   return model;
 }
 

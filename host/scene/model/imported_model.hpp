@@ -1,6 +1,7 @@
 // What an importer makes of a model file: meshes, the hierarchy and its animation, ready to be put into a Scene.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct ImportLimits {
   bool allow_outside = false;                                // may read files outside the model's folder
   std::uint64_t max_vertices = std::uint64_t{1} << 27;       // of one mesh; also the corners and keys of one list
   std::uint64_t max_decoded_bytes = std::uint64_t{4} << 30;  // everything read and made for one model
+  const std::atomic<bool>* stop = nullptr;                   // once set, ImportBudget throws Error(interrupted)
 };
 
 struct ImportedModel {
@@ -30,6 +32,7 @@ struct ImportedModel {
   std::vector<ModelPart> parts;       // what there is to choose from
   std::vector<std::string> warnings;  // one line each: what the file holds that is not drawn, or was mended
   std::string content_hash;           // ContentHash of every byte read, hex
+  std::vector<std::string> inputs;    // paths of the files that were read
 };
 
 }  // namespace morphcl

@@ -56,6 +56,7 @@ class ObjParser {
   void warn(std::string_view what) { file_.warnings.push_back(fmt::format("{}: {}", printable(file_.path), what)); }
 
   void read_statement() {
+    budget_.go_on(file_.path);
     const std::string_view keyword = statements_.keyword();
     if (keyword == "v")
       read_position();

@@ -17,7 +17,7 @@ namespace {
 
 ObjFile read_obj(const std::string& path, const ImportLimits& limits, ImportBudget& budget, ContentHash& hash) {
   const std::string text = read_input_file(path, budget.left_to_read());
-  budget.charge_read(text.size(), path);
+  budget.charge_file(path, text.size(), path);
   hash.add(text);
   return parse_obj(text, path, limits, budget);
 }
@@ -73,7 +73,7 @@ ImportedModel import_obj(const std::string& path, const ImportLimits& limits) {
 
 ImportedModel import_obj_targets(const std::string& neutral_path, const std::vector<std::string>& target_paths,
                                  const ImportLimits& limits) {
-  ImportBudget budget(limits.max_decoded_bytes);
+  ImportBudget budget(limits.max_decoded_bytes, limits.stop);
   ContentHash hash;
   const ObjFile neutral = read_obj(neutral_path, limits, budget, hash);
   if (neutral.faces.empty() && neutral.small_faces == 0 && neutral.not_drawn.empty())
@@ -109,6 +109,7 @@ ImportedModel import_obj_targets(const std::string& neutral_path, const std::vec
   node.name = stem(neutral_path);
   model.nodes.push_back(std::move(node));
   model.content_hash = hash.hex();
+  model.inputs = budget.inputs();
   return model;
 }
 

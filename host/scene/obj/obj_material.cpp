@@ -120,7 +120,7 @@ class MtlReader {
       refusal = {error.kind() == ErrorKind::cannot_read, error.what()};
       return false;
     }
-    budget_.charge_read(text.size(), path);
+    budget_.charge_file(path, text.size(), path);
     hash_.add(text);
     read_text(text, path);
     return true;

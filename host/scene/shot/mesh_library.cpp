@@ -74,10 +74,8 @@ std::string request(const ShotTable& object) {
 
 }  // namespace
 
-MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices)
-    : shot_(std::move(shot)), time_(time), max_vertices_(max_vertices), vertices_left_(max_vertices) {
-  limits_.allow_outside = allow_outside;
-}
+MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, const ImportLimits& limits, long long max_vertices)
+    : shot_(std::move(shot)), time_(time), limits_(limits), max_vertices_(max_vertices), vertices_left_(max_vertices) {}
 
 const ImportedModel& MeshLibrary::model(const ShotTable& object) {
   const std::string key = request(object);
@@ -89,6 +87,7 @@ const ImportedModel& MeshLibrary::model(const ShotTable& object) {
   for (Object& part : model.objects) part.mesh += first_mesh;
   for (Mesh& mesh : model.meshes) meshes_.push_back(std::move(mesh));
   model.meshes.clear();
+  inputs_.insert(inputs_.end(), model.inputs.begin(), model.inputs.end());
   warnings_.insert(warnings_.end(), model.warnings.begin(), model.warnings.end());
   parts_.insert(parts_.end(), model.parts.begin(), model.parts.end());
   if (model.camera || !model.lights.empty())
@@ -161,6 +160,7 @@ ImportedModel MeshLibrary::camera_model(const ShotTable& camera) {
   const std::string path = existing_file(file);
   const ModelChoice choice{read_choice(camera, "animation"), read_choice(camera, "name"), {}};
   ImportedModel model = import_chosen(camera, [&] { return import_gltf_camera(path, time_, limits_, choice); });
+  inputs_.insert(inputs_.end(), model.inputs.begin(), model.inputs.end());
   hashes_.push_back(model.content_hash);
   return model;
 }
@@ -168,7 +168,8 @@ ImportedModel MeshLibrary::camera_model(const ShotTable& camera) {
 std::string MeshLibrary::existing_file(const ShotValue& reference) const {
   const std::string path = confined_path(shot_, reference.text(), limits_.allow_outside, reference.place());
   std::error_code problem;
-  if (!std::filesystem::exists(path, problem)) reference.fail(fmt::format("there is no file \"{}\"", reference.text()));
+  if (!std::filesystem::exists(path, problem))
+    throw Error(ErrorKind::cannot_read, reference.place(), fmt::format("there is no file \"{}\"", reference.text()));
   return path;
 }
 

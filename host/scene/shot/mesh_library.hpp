@@ -17,9 +17,10 @@ namespace morphcl {
 
 class MeshLibrary {
  public:
-  // `shot` is the path of the shot file; files are seen from its folder and, unless `allow_outside`, must lie below it.
-  // The built-in solids may have `max_vertices` together.
-  MeshLibrary(std::string shot, const TimeBase& time, bool allow_outside, long long max_vertices = max_solid_vertices);
+  // `shot` is the path of the shot file; files are seen from its folder and, unless `limits` allow more, must lie below
+  // it. The built-in solids may have `max_vertices` together.
+  MeshLibrary(std::string shot, const TimeBase& time, const ImportLimits& limits,
+              long long max_vertices = max_solid_vertices);
 
   // The model that the keys mesh, segments and targets of an object's table ask for. A built-in solid is a model of one
   // mesh, one object and one node. In the model's objects, `mesh` is an index into the meshes that take_meshes returns;
@@ -32,7 +33,8 @@ class MeshLibrary {
   const Mesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
   std::vector<Mesh> take_meshes() { return std::move(meshes_); }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  const std::vector<ModelPart>& parts() const { return parts_; }  // of all models
+  const std::vector<ModelPart>& parts() const { return parts_; }      // of all models
+  const std::vector<std::string>& inputs() const { return inputs_; }  // paths of the files that were read
   // Adds the content of every file that was read, in the order of reading.
   void add_to(ContentHash& hash) const;
 
@@ -48,7 +50,7 @@ class MeshLibrary {
   std::map<std::string, ImportedModel> models_;  // by what was asked for
   std::vector<Mesh> meshes_;
   std::vector<ModelPart> parts_;
-  std::vector<std::string> warnings_, hashes_;
+  std::vector<std::string> warnings_, inputs_, hashes_;
 };
 
 }  // namespace morphcl

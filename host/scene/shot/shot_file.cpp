@@ -32,7 +32,9 @@ void read_image_and_time(const ShotTable& shot, const LoadOptions& options, Scen
 }  // namespace
 
 Scene read_shot(const std::string& path, const LoadOptions& options) {
-  return read_shot_text(read_input_file(path, max_toml_bytes), path, options);
+  Scene scene = read_shot_text(read_input_file(path, max_toml_bytes), path, options);
+  scene.inputs.push_back(path);
+  return scene;
 }
 
 Scene read_shot_text(std::string_view text, const std::string& path, const LoadOptions& options) {
@@ -45,7 +47,10 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   if (const auto ambient = shot.find("ambient")) scene.timeline.ambient = ambient->color();
   const auto camera = shot.find("camera");
   ShotCamera shot_camera;
-  MeshLibrary library(path, scene.timeline.time, options.allow_outside);
+  ImportLimits limits;
+  limits.allow_outside = options.allow_outside;
+  limits.stop = options.stop;
+  MeshLibrary library(path, scene.timeline.time, limits);
   if (camera) shot_camera = read_camera(*camera, tracks, library, scene);
   scene.timeline.camera = std::move(shot_camera.camera);
   shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
@@ -58,6 +63,7 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   scene.meshes = library.take_meshes();
   scene.parts = library.parts();
   scene.warnings.insert(scene.warnings.end(), library.warnings().begin(), library.warnings().end());
+  scene.inputs = library.inputs();
   complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});
   if (shot_camera.marks_vanishing_points) add_vanishing_marks(scene);
 
