@@ -23,6 +23,9 @@ struct OpenedRenderer {
   // Keeps what the device's compiler made for the next process; call it once a frame was rendered. May run beside a
   // render.
   void store_programs() const;
+
+  // Says on stderr what kept store_programs() from doing so. For the end of a command.
+  void warn_of_cache() const;
 };
 
 // Error(no_device) when there is none, or none of that name.

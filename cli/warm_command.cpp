@@ -22,6 +22,8 @@ int warm_command(const DeviceOptions& options) {
     opened.renderer->render(plan_frame(scene, 0), frame);
   }
   opened.store_programs();
+  if (const std::string trouble = opened.session->cache_trouble(); !trouble.empty())
+    throw Error(ErrorKind::cannot_create, "", "the kernels are compiled and cannot be kept: " + trouble);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_result(fmt::format("kernels ready for {} after {:.2f} s", opened.device_name, elapsed.count()));
   return exit_done;

@@ -17,7 +17,9 @@ enum {
   TEST_FLOAT_TO_HALF,
   TEST_HALF_TO_FLOAT,
   TEST_INT_TO_FLOAT,
-  TEST_FLOAT_TO_INT
+  TEST_FLOAT_TO_INT,
+  TEST_ADD_THEN_SUBTRACT,
+  TEST_MULTIPLY_THEN_DIVIDE
 };
 
 // The largest float below 2^31, so that no conversion saturates.
@@ -38,6 +40,8 @@ kernel void self_test_scalar(global const float* a_values, global const float* b
   results[TEST_INT_TO_FLOAT * count + i] = as_uint(convert_float_rte(as_int(a)));
   const float bounded = a < -INT_LIMIT ? -INT_LIMIT : a > INT_LIMIT ? INT_LIMIT : a;
   results[TEST_FLOAT_TO_INT * count + i] = as_uint(convert_int_sat_rte(bounded));
+  results[TEST_ADD_THEN_SUBTRACT * count + i] = as_uint((a + b) - a);
+  results[TEST_MULTIPLY_THEN_DIVIDE * count + i] = as_uint(a * b / b);
 }
 
 static inline void store_results(uint16 bits, uint test, uint count, uint first, global uint* results) {
@@ -60,6 +64,8 @@ kernel void self_test_vector(global const float* a_values, global const float* b
   const float16 raised = a < -INT_LIMIT ? (float16)(-INT_LIMIT) : a;
   const float16 bounded = raised > INT_LIMIT ? (float16)(INT_LIMIT) : raised;
   store_results(as_uint16(convert_int16_sat_rte(bounded)), TEST_FLOAT_TO_INT, count, first, results);
+  store_results(as_uint16((a + b) - a), TEST_ADD_THEN_SUBTRACT, count, first, results);
+  store_results(as_uint16(a * b / b), TEST_MULTIPLY_THEN_DIVIDE, count, first, results);
 
   ushort halves[16];
   vstore_half16(a, 0, (half*)halves);

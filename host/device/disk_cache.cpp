@@ -38,10 +38,13 @@ class File {
 
   bool is_open() const { return descriptor_ >= 0; }
 
-  // The size of a regular file; nothing for folders, pipes and devices.
+  // The size of a regular file that nobody but this user and root can have written, as it holds native code; nothing
+  // for others, and for folders, pipes and devices.
   std::optional<std::uint64_t> size() const {
     struct stat status;
     if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    if (status.st_uid != geteuid() && status.st_uid != 0) return std::nullopt;
+    if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0) return std::nullopt;
     return static_cast<std::uint64_t>(status.st_size);
   }
 
@@ -97,10 +100,14 @@ std::optional<std::vector<unsigned char>> DiskCache::load(const CacheKey& key) c
   return content;
 }
 
-bool DiskCache::store(const CacheKey& key, std::span<const unsigned char> content) const {
+bool DiskCache::store(const CacheKey& key, std::span<const unsigned char> content, std::string* trouble) const {
   if (!folder_ || content.size() > max_content_bytes) return false;
   std::error_code failure;
   fs::create_directories(*folder_, failure);
+  if (failure) {
+    if (trouble != nullptr) *trouble = failure.message();
+    return false;
+  }
   const std::string name = file_of(key).string();
   remove_stale_temporaries(*folder_ / "");
   TemporaryFile file(name, 0600);
@@ -108,7 +115,10 @@ bool DiskCache::store(const CacheKey& key, std::span<const unsigned char> conten
   const auto write = [&](const void* bytes, std::size_t count) {
     return file.write_all({static_cast<const char*>(bytes), count});
   };
-  return file.error() == 0 && write(&header, sizeof header) && write(content.data(), content.size()) && file.publish();
+  if (file.error() == 0 && write(&header, sizeof header) && write(content.data(), content.size()) && file.publish())
+    return true;
+  if (trouble != nullptr) *trouble = std::strerror(file.error());
+  return false;
 }
 
 }  // namespace morphcl

@@ -34,8 +34,9 @@ class DiskCache {
 
   std::optional<std::vector<unsigned char>> load(const CacheKey& key) const;
 
-  // True if the content stands under its key now. Creates the folder.
-  bool store(const CacheKey& key, std::span<const unsigned char> content) const;
+  // True if the content stands under its key now. Creates the folder. `trouble` gets the system's reason where the
+  // folder does not take it.
+  bool store(const CacheKey& key, std::span<const unsigned char> content, std::string* trouble = nullptr) const;
 
  private:
   std::filesystem::path file_of(const CacheKey& key) const;

@@ -90,14 +90,14 @@ std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const 
 }
 
 bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options,
-                         const std::set<std::string>& kernels) const {
+                         const std::set<std::string>& kernels, std::string* trouble) const {
   // Not asked in vain: PoCL compiles all kernels once more for a binary.
   if (!binaries_.has_folder() || kernels.empty()) return false;
   try {
     const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
     if (binaries.size() != 1 || binaries.front().empty()) return false;
     return std::all_of(kernels.begin(), kernels.end(), [&](const std::string& kernel) {
-      return binaries_.store(key(source, options, kernel), binaries.front());
+      return binaries_.store(key(source, options, kernel), binaries.front(), trouble);
     });
   } catch (const cl::Error&) {
     return false;

@@ -29,9 +29,9 @@ class ProgramCache {
 
   // Stores the binary for each of `kernels`, which must have run: PoCL's binaries hold the work-group functions
   // compiled so far, and a kernel without one would be compiled again by every process that loads the binary. False if
-  // there are none, the driver gives no binary, or the folder does not take it.
+  // there are none, the driver gives no binary, or the folder does not take it; then `trouble` gets the reason.
   bool store(const cl::Program& program, const std::string& source, const std::string& options,
-             const std::set<std::string>& kernels) const;
+             const std::set<std::string>& kernels, std::string* trouble = nullptr) const;
 
   // Whether the self-test is known to pass for this program. Only passing is remembered. The key names the compiler,
   // the processor and the test, and what it vouches for is the same as what the cached binaries were made by: a

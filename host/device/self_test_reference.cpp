@@ -108,8 +108,8 @@ std::int64_t ordered(std::uint32_t bits, std::uint32_t sign_bit) {
 
 const char* self_test_name(SelfTest test) {
   static constexpr const char* names[self_test_count] = {
-      "a+b",   "a-b",           "a*b",           "a/b",          "sqrt",        "fma",
-      "a*b+c", "float to half", "half to float", "int to float", "float to int"};
+      "a+b",           "a-b",           "a*b",          "a/b",          "sqrt",  "fma",  "a*b+c",
+      "float to half", "half to float", "int to float", "float to int", "a+b-a", "a*b/b"};
   return names[static_cast<int>(test)];
 }
 
@@ -163,6 +163,10 @@ std::uint32_t self_test_answer(SelfTest test, float a, float b, float c) {
       return bits_of(static_cast<float>(std::bit_cast<std::int32_t>(a)));
     case SelfTest::float_to_int:
       return static_cast<std::uint32_t>(nearest_int(a));
+    case SelfTest::add_then_subtract:
+      return bits_of((a + b) - a);
+    case SelfTest::multiply_then_divide:
+      return bits_of(a * b / b);
   }
   std::abort();
 }

@@ -20,8 +20,10 @@ enum class SelfTest {
   half_to_float,
   int_to_float,
   float_to_int,
+  add_then_subtract,  // (a+b)-a is b for a compiler that takes sums for associative
+  multiply_then_divide,
 };
-constexpr int self_test_count = 11;
+constexpr int self_test_count = 13;
 
 const char* self_test_name(SelfTest test);  // "a*b+c"
 bool is_vector_only(SelfTest test);         // halves are converted sixteen at a time only

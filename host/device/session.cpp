@@ -13,6 +13,7 @@
 #include "host/device/cache_dir.hpp"
 #include "host/device/cl_error.hpp"
 #include "host/device/device_list.hpp"
+#include "host/device/driver_needs.hpp"
 #include "host/device/kernel_source.hpp"
 #include "host/device/prepare_process.hpp"
 #include "host/device/program_cache.hpp"
@@ -23,6 +24,12 @@
 namespace morphcl {
 
 namespace {
+
+constexpr std::size_t work_group_items = 16;  // of the self-test; the largest of all kernels of the library
+
+// What rounding in another way explains. What is more is an operation that the device does not have (denormals, fused
+// products where none were asked for), or relaxed arithmetic: its pictures are recognizably others.
+constexpr std::uint64_t max_tolerated_ulp = 4;
 
 struct SourceProgram {
   cl::Program program;
@@ -37,7 +44,8 @@ std::string first_line(const std::string& log) {
 }
 
 cl::Program build_from_source(const cl::Context& context, const std::string& file, const std::string& text,
-                              const std::string& options) {
+                              const std::string& options, bool by_pocl) {
+  if (by_pocl) check_linker();
   cl::Program program(context, text);
   try {
     program.build(options.c_str());
@@ -59,6 +67,9 @@ struct Session::Impl {
   EditSource edit_source;
   std::optional<ProgramCache> cache;
   SelfTestResult self_test;
+  bool no_cache_wanted = false;
+  std::string cache_name;     // for people; "" where there is no folder
+  std::string cache_trouble;  // guarded by programs_mutex
 
   std::mutex programs_mutex;
   using ProgramKey = std::pair<std::string, std::string>;              // file, all build options
@@ -70,7 +81,15 @@ struct Session::Impl {
     context = cl::Context(chosen.device);
     queue = cl::CommandQueue(context, chosen.device);
     build_options = morphcl::build_options(chosen.device, chosen.platform);
-    cache.emplace(choose_cache_dir(options.cache_dir), compiler_identity(chosen.device, chosen.platform));
+    if (const auto items = chosen.device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>(); items < work_group_items)
+      throw Error(ErrorKind::no_device, "",
+                  fmt::format("device \"{}\" runs work groups of {} items, and {} are needed; use another one, or "
+                              "--device reference",
+                              info.name, items, work_group_items));
+    const auto folder = choose_cache_dir(options.cache_dir);
+    if (folder) cache_name = folder->string();
+    no_cache_wanted = cache_is_switched_off(options.cache_dir);
+    cache.emplace(folder, compiler_identity(chosen.device, chosen.platform));
   }
 
   std::string text_of(const KernelSource& source) const { return edit_source ? edit_source(source.text) : source.text; }
@@ -86,7 +105,8 @@ struct Session::Impl {
     if (auto cached = cache->load(context, text, key.second, kernel)) return program = *cached;
     SourceProgram& built = source_programs[key];
     if (!built.program()) {
-      built.program = build_from_source(context, source.file, text, key.second);
+      built.program = build_from_source(context, source.file, text, key.second,
+                                        info.platform.starts_with("Portable Computing Language"));
       built.text = text;
     }
     built.unstored.insert(kernel);
@@ -107,6 +127,15 @@ struct Session::Impl {
     return taken;
   }
 
+  void note_cache_trouble(const std::string& reason) {
+    const std::lock_guard lock(programs_mutex);
+    if (!cache_trouble.empty() || no_cache_wanted) return;
+    if (cache_name.empty())
+      cache_trouble = "no folder is named for it; set MORPHCL_CACHE_DIR, or HOME";
+    else if (!reason.empty())
+      cache_trouble = fmt::format("{}: {}; name another folder with MORPHCL_CACHE_DIR", cache_name, reason);
+  }
+
   void run_self_test() {
     const KernelSource& source = kernel_source("self_test");
     const std::string text = text_of(source);
@@ -114,6 +143,12 @@ struct Session::Impl {
     const Kernel scalar = kernel(source, "self_test_scalar");
     const Kernel vector = kernel(source, "self_test_vector");
     self_test = morphcl::run_self_test(context, queue, scalar, vector);
+    if (self_test.max_ulp > max_tolerated_ulp)
+      throw Error(
+          ErrorKind::no_device, "",
+          fmt::format("device \"{}\" computes wrong ({}), so its pictures would be others; use another device, or "
+                      "--device reference",
+                      info.name, self_test.detail));
     if (self_test.verdict == Verdict::identical) cache->remember_identical(text, build_options);
   }
 };
@@ -163,10 +198,19 @@ Kernel kernel_of(Session& session, const KernelSource& source, const std::string
                  [&] { return SessionAccess::impl(session).kernel(source, kernel_name, more_options); });
 }
 
+std::string Session::cache_trouble() const {
+  const std::lock_guard lock(impl_->programs_mutex);
+  return impl_->cache_trouble;
+}
+
 void Session::store_programs() {
   try {
-    for (const auto& [key, built] : impl_->take_unstored())
-      impl_->cache->store(built.program, built.text, key.second, built.unstored);
+    for (const auto& [key, built] : impl_->take_unstored()) {
+      if (built.unstored.empty()) continue;
+      std::string trouble;
+      impl_->cache->store(built.program, built.text, key.second, built.unstored, &trouble);
+      impl_->note_cache_trouble(trouble);
+    }
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }

@@ -105,6 +105,7 @@ void add_attributes(Imf::Header& header, const FrameAttributes& attributes, cons
   header.screenWindowWidth() = window.width;
   Imf::addChromaticities(header, Imf::Chromaticities());
   header.insert(fingerprint_attribute, Imf::StringAttribute(attributes.fingerprint));
+  if (!attributes.deviation.empty()) header.insert(deviation_attribute, Imf::StringAttribute(attributes.deviation));
   header.insert(pixel_hash_attribute, Imf::StringAttribute(pixel_hash));
 }
 
@@ -119,6 +120,7 @@ FrameAttributes attributes_of(const Imf::Header& header) {
     attributes.world_to_eye = flip_viewing_axis(from_imath(*m));
   if (const auto* m = find<Imath::M44f>(header, "worldToNDC"))
     attributes.world_to_ndc = ndc_from_unit_square(from_imath(*m));
+  attributes.deviation = text_attribute(header, deviation_attribute);
   attributes.fingerprint = text_attribute(header, fingerprint_attribute);
   return attributes;
 }

@@ -22,6 +22,7 @@ FrameAttributes attributes_of(const Imf::Header& header);
 std::string text_attribute(const Imf::Header& header, const char* name);
 
 inline constexpr const char* fingerprint_attribute = "morphclFingerprint";
+inline constexpr const char* deviation_attribute = "morphclDeviation";
 inline constexpr const char* pixel_hash_attribute = "pixelHash";
 
 }  // namespace morphcl

@@ -24,6 +24,7 @@ struct FrameAttributes {
   // stored in fp32.
   glm::dmat4 world_to_ndc{1.0};
   std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
+  std::string deviation = {};    // Renderer::deviation(); stored as morphclDeviation unless it is empty
 };
 
 // none rle zips zip zip:small piz pxr24 b44 b44a dwaa dwab; the first six are lossless. zip and zip:small make files of

@@ -37,6 +37,16 @@ class Renderer {
 
   virtual std::string name() const = 0;  // the device's, or "reference"
 
+  // What is to be known of pixels that are not those of other renderers: the device, its driver, and where it rounds
+  // differently (Verdict::tolerant). "" for all others.
+  virtual std::string deviation() const { return ""; }
+
+  // Bytes, about, that drawing takes besides the frame and the scene, for each pixel and whatever the size.
+  struct Memory {
+    std::uint64_t per_pixel = 0, fixed = 0;
+  };
+  virtual Memory memory() const { return {}; }
+
  private:
   virtual void draw(const FramePlan& plan, FrameBuffer& frame) = 0;
   std::uint64_t planner_ = 0;  // whose plans come; 0: any's

@@ -9,7 +9,7 @@
 namespace [[gnu::visibility("default")]] morphcl {
 
 // What the self-test of a device says: identical, it computes the bits that every other such device computes; tolerant,
-// it rounds differently somewhere.
+// it rounds differently somewhere, by 4 ulp at most. A device that is further off is not opened.
 enum class Verdict { identical, tolerant };
 
 struct DeviceInfo {
@@ -31,7 +31,10 @@ struct SessionOptions {
 
 // For programs that call OpenCL themselves before list_devices() or Session::open(), which call it otherwise: it sets
 // PoCL's thread variables from `threads`, then tests in a child process that asking for devices does not abort, as PoCL
-// 3.1 does where /sys is not mounted. Returns the thread count. Error(usage) for threads outside of 0 to 4096.
+// 3.1 does where /sys is not mounted. Returns the thread count, which is smaller than asked for where the system starts
+// no more. Error(usage) for threads outside of 0 to 4096, and for numbers in PoCL's own variables that it crashes on;
+// Error(no_device) where not one thread can be started, or a limit of the process (stack, file size) is below what the
+// driver needs.
 int prepare_process(int threads);
 
 // In the order of DeviceInfo::index. Error(no_device) with the package to install when there is none.
@@ -40,7 +43,8 @@ std::vector<DeviceInfo> list_devices();
 // Threads may share a session. Who takes one, as a renderer does, shares its ownership.
 class Session {
  public:
-  // Error(no_device): none found, or none matches; the message lists what there is. Error(usage) for `threads`.
+  // Error(no_device): none found, none matches, and then the message lists what there is, or the device fails the
+  // self-test by more than 4 ulp. Error(usage) for `threads`.
   static std::shared_ptr<Session> open(const SessionOptions& options);
   ~Session();
 
@@ -54,6 +58,10 @@ class Session {
   // for what later frames brought in. Cheap when there is nothing to store. Never throws: an unwritable cache is no
   // error.
   void store_programs();
+
+  // "", or why store_programs() could not store what was compiled, so that the next process compiles it anew: one line.
+  // "" also where no cache is wanted.
+  std::string cache_trouble() const;
 
  private:
   friend struct SessionAccess;

@@ -43,6 +43,25 @@ TEST_F(DiskCacheFile, IsFoundAgain) {
   EXPECT_EQ(read().size(), header_bytes + content.size());
 }
 
+// It holds native code: what others can write is not run.
+TEST_F(DiskCacheFile, OfAnotherUserOrWritableByOthersIsMissing) {
+  for (const mode_t mode : {0620, 0602, 0666}) {
+    ASSERT_EQ(chmod(file().c_str(), mode), 0);
+    EXPECT_EQ(cache.load(key), std::nullopt) << std::oct << mode;
+  }
+  ASSERT_EQ(chmod(file().c_str(), 0644), 0);
+  EXPECT_EQ(cache.load(key), content);
+  if (geteuid() != 0) return;  // only root can give files away
+  ASSERT_EQ(chown(file().c_str(), 12345, 12345), 0);
+  EXPECT_EQ(cache.load(key), std::nullopt);
+}
+
+TEST(DiskCacheFolder, ThatDoesNotTakeAFileSaysWhy) {
+  std::string trouble;
+  EXPECT_FALSE(DiskCache("/proc/none", "bin").store(key, content, &trouble));
+  EXPECT_NE(trouble, "");
+}
+
 TEST_F(DiskCacheFile, CutAnywhereIsMissing) {
   const Bytes whole = read();
   for (std::size_t length = 0; length < whole.size(); ++length) {

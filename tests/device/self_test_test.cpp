@@ -14,6 +14,7 @@
 #include "host/device/kernel_source.hpp"
 #include "host/device/self_test_reference.hpp"
 #include "host/device/session_access.hpp"
+#include "morphcl/error.hpp"
 #include "tests/device/shared_session.hpp"
 
 namespace morphcl {
@@ -68,6 +69,32 @@ TEST(SelfTestOnDevice, WithoutFpContractOffProductsAndSumsAreFused) {
   EXPECT_EQ(result.detail.find("a*b+c") != std::string::npos, fused) << result.detail;
 }
 
+std::shared_ptr<Session> open_with_defect(const std::string& from, const std::string& to) {
+  SessionOptions options;
+  options.cache_dir = "/proc/none";
+  return open_session(
+      options, [&](const std::string& text) { return text == self_test_source() ? replaced(text, from, to) : text; });
+}
+
+TEST(SelfTestOnDevice, ADeviceThatRoundsDifferentlyIsTolerant) {
+  const auto session = open_with_defect("convert_float_rte", "convert_float_rtz");
+  EXPECT_EQ(session->verdict(), Verdict::tolerant);
+  EXPECT_NE(session->verdict_detail().find("int to float on one float: "), std::string::npos);
+  EXPECT_EQ(session->cache_trouble(), "");
+  session->store_programs();
+  EXPECT_NE(session->cache_trouble().find("/proc/none"), std::string::npos) << "what was compiled is lost";
+}
+
+TEST(SelfTestOnDevice, ADeviceThatComputesWrongIsNotOpened) {
+  try {
+    open_with_defect("fma(a, b, c)", "a * b + c");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::no_device);
+    EXPECT_NE(error.message().find("fma on one float: "), std::string::npos) << error.message();
+  }
+}
+
 struct Defect {
   const char* name;
   const char* from;
@@ -105,6 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"FloatTowardsZero", "convert_int_sat_rte", "convert_int_sat_rtz", strict_options, "float to int on one"},
         Defect{"FloatsTowardsZero", "convert_int16_sat_rte", "convert_int16_sat_rtz", strict_options,
                "float to int on 16"},
+        Defect{"SumsTakenForAssociative", "((a + b) - a)", "(b)", strict_options, "a+b-a on"},
+        Defect{"FactorsCancelled", "(a * b / b)", "(a)", strict_options, "a*b/b on"},
         Defect{"FlushedDenormals", "(a * b)", "(a * b)",
                "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -cl-denorms-are-zero", "a*b on"}),
     [](const auto& defect) { return std::string(defect.param.name); });

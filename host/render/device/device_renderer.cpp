@@ -38,6 +38,15 @@ class DeviceRenderer : public Renderer {
 
   std::string name() const override { return session_->info().name; }
 
+  // What PoCL's compiler takes, measured, and the bins of a frame.
+  Memory memory() const override { return {.per_pixel = 1, .fixed = std::uint64_t{110} << 20}; }
+
+  std::string deviation() const override {
+    if (session_->verdict() == Verdict::identical) return "";
+    const DeviceInfo& info = session_->info();
+    return fmt::format("{}, {}, {}: {}", info.name, info.driver_version, info.platform, session_->verdict_detail());
+  }
+
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     depth_format_ = plan.depth_format;

@@ -12,6 +12,9 @@ class ReferenceRenderer : public Renderer {
  public:
   std::string name() const override { return "reference"; }
 
+  // The samples of the picture.
+  Memory memory() const override { return {.per_pixel = sizeof(reference::Sample) + 4, .fixed = 0}; }
+
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     const RasterGrid grid(plan.width, plan.height);
