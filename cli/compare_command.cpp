@@ -1,5 +1,7 @@
 #include "cli/compare_command.hpp"
 
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <span>
 
@@ -8,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "host/image/atomic_file.hpp"
 #include "host/job/frame_pattern.hpp"
+#include "host/memory_room.hpp"
 #include "lab/frame_error/difference_files.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
@@ -18,6 +21,8 @@ namespace {
 
 using accuracy::FrameDifference;
 using accuracy::Truth;
+
+constexpr std::uint64_t bytes_per_compared_pixel = 80;  // measured: 72 and the frame
 
 std::vector<Truth> truths(const std::string& name) {
   if (name == "grid") return {Truth::on_grid};
@@ -66,6 +71,10 @@ int compare_command(const CompareOptions& options) {
   const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
   print_warnings(scene);
   Files files(options.out, scene);
+  require_memory(bytes_per_compared_pixel * static_cast<std::uint64_t>(scene.image.width) *
+                     static_cast<std::uint64_t>(scene.image.height),
+                 fmt::format("comparing a frame of {}x{}", scene.image.width, scene.image.height),
+                 "a smaller size takes less");
   const OpenedRenderer opened = open_renderer(options.device);
   const Planner planner(scene);
   for (const std::int64_t frame : frames) {
@@ -84,6 +93,7 @@ int compare_command(const CompareOptions& options) {
     }
   }
   opened.store_programs();
+  opened.warn_of_cache();
   files.finish();
   return exit_done;
 }

@@ -14,6 +14,9 @@ namespace morphcl {
 // system's reason. After an error nothing is left behind and an older file of that name still stands.
 void write_file_atomically(const std::string& path, std::span<const char> bytes);
 
+// Error(cannot_create) when the file system takes no name of this length in the folder of `path`, which exists.
+void check_name_length(const std::string& path);
+
 // Makes the folder of `path`, makes a temporary file for it and removes that again: throws what
 // write_file_atomically(path, ...) would throw before its first byte.
 void check_can_create(const std::string& path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_encode.hpp"
@@ -35,6 +36,25 @@ void check_settings(const RenderJob& job, const ImageSettings& image, const Fram
     throw Error(ErrorKind::usage, "", "pictures show colour, and this job has none; add RGBA to the channels");
 }
 
+// The name under which an output would come to stand: its folder without links and detours, its last part as it is,
+// since a link of that name is replaced and not followed.
+std::string place_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  return (std::filesystem::weakly_canonical(folder, error) / path.filename()).string();
+}
+
+// The names of input files: as they were given, and of what they lead to.
+std::set<std::string> places_of_inputs(const Scene& scene) {
+  std::set<std::string> places;
+  for (const std::string& input : scene.inputs) {
+    std::error_code error;
+    places.insert(place_of(input));
+    places.insert(std::filesystem::weakly_canonical(input, error).string());
+  }
+  return places;
+}
+
 // Kept from frame to frame: the first touch of fresh memory costs more than the encoding.
 thread_local std::vector<char> encoded, read_back;
 
@@ -63,20 +83,49 @@ void set_failed(FrameResult& result, const std::exception& error) {
   result.error_code = failure.exit_code();
 }
 
-FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, int encoders)
+FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::string& deviation, int encoders)
     : job_(job),
-      fingerprint_(morphcl::fingerprint(scene)),
+      fingerprint_(deviation.empty() ? morphcl::fingerprint(scene)
+                                     : text_hash(morphcl::fingerprint(scene) + deviation)),
       image_(scene.image),
       pattern_(job.pattern),
       encoders_(encoders) {
   check_settings(job, image_, pattern_);
   if (job.frames.empty()) return;
-  check_can_create(path(job.frames.front()));
+  check_outputs(scene);
   remove_stale_temporaries(pattern_.before_number());
   if (job.contact_sheet.empty()) return;
   check_can_create(job.contact_sheet);
   remove_stale_temporaries(job.contact_sheet);
   sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height});
+}
+
+void FrameOutput::check_outputs(const Scene& scene) const {
+  const std::set<std::string> inputs = places_of_inputs(scene);
+  const std::filesystem::path folder = std::filesystem::path(place_of(path(job_.frames.front()))).parent_path();
+  const std::string sheet = job_.contact_sheet.empty() ? "" : place_of(job_.contact_sheet);
+  const auto check = [&](const std::string& file, const std::string& place) {
+    if (inputs.count(place) != 0)
+      throw Error(ErrorKind::usage, file, "is a file that the scene is read from; give the output another name");
+  };
+  const auto check_picture = [&](const std::string& file) {
+    const std::string place = (folder / std::filesystem::path(file).filename()).string();
+    check(file, place);
+    if (place == sheet)
+      throw Error(ErrorKind::usage, job_.contact_sheet,
+                  "is a picture of one frame as well; give the contact sheet another name");
+  };
+  std::string longest;
+  for (const std::int64_t frame : job_.frames) {
+    const std::string file = path(frame);
+    check_picture(file);
+    if (job_.preview) check_picture(preview_path(file));
+    if (file.size() >= longest.size()) longest = file;
+  }
+  if (!sheet.empty()) check(job_.contact_sheet, sheet);
+  check_can_create(path(job_.frames.front()));
+  check_name_length(longest);
+  if (job_.preview) check_name_length(preview_path(longest));
 }
 
 std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
@@ -85,7 +134,7 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   result.path = path(frame);
   result.status = FrameResult::Status::kept;
   const std::optional<ExrFrame> finished = read_finished_frame(result.path, fingerprint_);
-  if (!finished) return std::nullopt;
+  if (!finished || finished->attributes.frame != frame) return std::nullopt;  // or another frame's, under this name
   result.hash = finished->hash;
   try {
     draw_pictures(result, finished->frame);
@@ -132,6 +181,15 @@ bool FrameOutput::copy(const WrittenFrame& source, const FrameAttributes& attrib
 void FrameOutput::save(std::span<const char> file, const FrameResult& result) const {
   write_file_atomically(result.path, file);
   if (job_.verify) verify_exr(result.path, result.hash);
+}
+
+void FrameOutput::find_lost(std::vector<FrameResult>& frames) const {
+  for (FrameResult& frame : frames) {
+    if (frame.status == FrameResult::Status::failed) continue;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(frame.path, error))
+      set_failed(frame, Error(ErrorKind::cannot_create, frame.path, "was written, and has gone while the job ran"));
+  }
 }
 
 void FrameOutput::finish() const {

@@ -24,10 +24,11 @@ class FrameOutput {
   // Checks all that run() promises to find before anything is rendered, makes the output's folder, and removes what
   // killed jobs left there. `job` and `scene` have to outlive this. Of the threads that call write() at the same time,
   // at most `encoders` encode; the others wait for them or for the disk.
-  FrameOutput(const RenderJob& job, const Scene& scene, int encoders);
+  // `deviation` is the renderer's.
+  FrameOutput(const RenderJob& job, const Scene& scene, const std::string& deviation, int encoders);
 
   std::string path(std::int64_t frame) const { return pattern_.path(frame); }
-  const std::string& fingerprint() const { return fingerprint_; }  // of the scene
+  const std::string& fingerprint() const { return fingerprint_; }  // of the scene, and of a renderer that deviates
 
   // The result of a frame that a former run finished, with its pictures drawn; nothing when it has to be rendered. May
   // be called for several frames at the same time, as may write() and copy().
@@ -42,10 +43,14 @@ class FrameOutput {
   // is not there or not as it was written.
   bool copy(const WrittenFrame& source, const FrameAttributes& attributes, FrameResult& result);
 
+  // Of the frames that were written or kept, those whose files are gone are marked as failed.
+  void find_lost(std::vector<FrameResult>& frames) const;
+
   // After the last frame: writes the contact sheet.
   void finish() const;
 
  private:
+  void check_outputs(const Scene& scene) const;
   void save(std::span<const char> file, const FrameResult& result) const;
   bool draws_pictures() const { return job_.preview || sheet_; }
   void draw_pictures(const FrameResult& result, const FrameBuffer& pixels);

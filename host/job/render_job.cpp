@@ -6,8 +6,11 @@
 
 #include "host/job/equal_frames.hpp"
 #include "host/job/frame_output.hpp"
+#include "host/job/job_memory.hpp"
 #include "host/job/plan_ahead.hpp"
 #include "host/job/write_queue.hpp"
+#include "host/memory_room.hpp"
+#include "host/threads.hpp"
 #include "morphcl/job.hpp"
 
 namespace morphcl {
@@ -15,35 +18,21 @@ namespace morphcl {
 namespace {
 
 constexpr int max_threads = 8;
-constexpr std::size_t max_memory = std::size_t{2} << 30;
 
 int thread_count(const RenderJob& job) {
   const int wanted = job.threads > 0 ? job.threads : static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(wanted, 1, max_threads);
 }
 
-std::size_t frames_that_fit(const ImageSettings& image) {
-  const std::size_t pixel_bytes = (image.color ? 4 * sizeof(std::uint16_t) : 0) + (image.depth ? sizeof(float) : 0);
-  const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  return max_memory / std::max<std::size_t>(1, pixels * pixel_bytes);
-}
-
-WriteQueue::Limits limits(const RenderJob& job, const ImageSettings& image) {
-  const auto threads = static_cast<std::size_t>(thread_count(job));
-  const std::size_t fitting = frames_that_fit(image);
-  WriteQueue::Limits limits;
-  limits.buffers = job.frames_in_flight > 0 ? job.frames_in_flight
-                                            : static_cast<int>(std::clamp<std::size_t>(fitting, 2, threads + 1));
-  // Threads that wait for the disk are in nobody's way.
-  limits.threads = static_cast<int>(std::clamp<std::size_t>(fitting, 1, threads + 4));
-  return limits;
-}
-
 // One run of a job: what its steps share.
 class JobRun {
  public:
   JobRun(const RenderJob& job, const Scene& scene, Renderer& renderer)
-      : job_(job), planner_(scene, job.plan), renderer_(renderer), output_(job, scene, thread_count(job)) {
+      : job_(job),
+        planner_(scene, job.plan),
+        renderer_(renderer),
+        limits_(job_limits(job, scene.image, renderer.memory(), thread_count(job), memory_room().bytes)),
+        output_(job, scene, renderer.deviation(), thread_count(job)) {
     renderer.forget();
   }
   ~JobRun() { renderer_.forget(); }  // no other plan of this planner comes
@@ -55,6 +44,7 @@ class JobRun {
     render(missing);
     std::sort(result_.frames.begin(), result_.frames.end(),
               [](const FrameResult& a, const FrameResult& b) { return a.frame < b.frame; });
+    output_.find_lost(result_.frames);
     output_.finish();
     return std::move(result_);
   }
@@ -80,6 +70,7 @@ class JobRun {
   const RenderJob& job_;
   const Planner planner_;
   Renderer& renderer_;
+  const JobLimits limits_;
   FrameOutput output_;
   EqualFrames equal_frames_;
   std::mutex report_mutex_, lost_mutex_;
@@ -108,7 +99,8 @@ std::vector<std::int64_t> JobRun::keep_finished_frames() {
   };
   {
     std::vector<std::jthread> threads;
-    for (int i = 0; i < thread_count(job_); ++i) threads.emplace_back(check_frames);
+    start_threads(threads, limits_.checkers - 1, [&check_frames](int) { check_frames(); });
+    check_frames();
   }
   if (failure) std::rethrow_exception(failure);
   std::vector<std::int64_t> missing;
@@ -123,7 +115,7 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
   // Frames side by side keep all threads busy; a single one needs them all.
   const int encoding_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(
-      limits(job_, image),
+      limits_.queue,
       [&image] { return std::make_unique<FrameBuffer>(image.width, image.height, image.color, image.depth); },
       [this, encoding_threads](FrameTask& task, const WriteQueue::ReleasePixels& release) {
         write(task, encoding_threads, release);
@@ -181,6 +173,7 @@ FrameTask JobRun::task_for(const PlannedFrame& planned) const {
   task.result.path = output_.path(planned.frame);
   if (planned.plan) task.attributes = planned.plan->attributes();
   task.attributes.fingerprint = output_.fingerprint();
+  task.attributes.deviation = renderer_.deviation();
   task.picture = planned.digest;
   return task;
 }

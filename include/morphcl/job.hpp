@@ -39,7 +39,8 @@ struct RenderJob {
   int threads = 0;
   // Frame buffers, the one being drawn included; 0: one more than threads, but at most 2 GiB of them (two at least). A
   // buffer is free as soon as its frame is encoded; threads + 4 encoded frames at most are on their way to the disk, of
-  // large frames fewer, so that drawing does not wait for each flush.
+  // large frames fewer, so that drawing does not wait for each flush. Where a container, ulimit -v or the machine
+  // leaves less memory than that takes, there are fewer of both; Error(no_device) where there is not enough for one.
   int frames_in_flight = 0;
   PlanOptions plan = {};           // what is left out of frames; their pixels are the same
   std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
@@ -52,13 +53,16 @@ struct RenderJob {
 };
 
 struct JobResult {
-  std::vector<FrameResult> frames;  // in ascending order, only those that were reached
-  bool interrupted = false;         // the stop flag was seen before all frames were reached
+  // In ascending order, only those that were reached. A frame that was written, and whose file is gone at the end,
+  // since somebody removed the folder, has failed, without a further call of on_frame.
+  std::vector<FrameResult> frames;
+  bool interrupted = false;  // the stop flag was seen before all frames were reached
 };
 
 // Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a scene that is not
 // valid, a pattern without a number although several frames are asked for, a pattern that is none, an unknown
-// compression, or pictures of a scene without colour; Error(cannot_create) when the output cannot be created. Thrown
+// compression, pictures of a scene without colour, or an output that is one of the scene's inputs or another output;
+// Error(cannot_create) when the output cannot be created. Thrown
 // after the frames: the Error of the contact sheet. What on_frame throws stops the job, without a contact sheet, and is
 // thrown when the frames under way are written. Temporary files that killed jobs of the same pattern left are removed.
 // The renderer forgets (Renderer::forget) before and after.
@@ -66,7 +70,8 @@ JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's
 // file but its number: the image's settings, meshes, objects, nodes, tracks, camera, lights and stated accuracy, every
-// byte that was read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it.
+// byte that was read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it. Files
+// that a renderer with a deviation() has drawn hold another fingerprint, of that and of this.
 std::string fingerprint(const Scene& scene);
 
 }  // namespace morphcl

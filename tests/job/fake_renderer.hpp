@@ -24,7 +24,10 @@ class FakeRenderer : public Renderer {
   std::set<const FrameBuffer*> buffers;                 // that were handed in
   std::function<void(std::int64_t frame)> before_draw;  // may throw
 
+  std::string deviates;  // what deviation() returns
+
   std::string name() const override { return "fake"; }
+  std::string deviation() const override { return deviates; }
 
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {

@@ -53,6 +53,99 @@ TEST(RenderJob, WritesEveryFrameAndAnswersInAscendingOrder) {
   EXPECT_EQ(folder.names(), (std::set<std::string>{"a.-003.exr", "a.0002.exr", "a.0005.exr", "a.0009.exr"}));
 }
 
+// Two devices that round differently, and one that does not, never share a sequence.
+TEST(RenderJob, FramesOfARendererThatDeviatesSayHowAndAreNotMixedWithOthers) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.####.exr", {1, 2});
+  job.resume = true;
+  const auto kept_of = [&](const std::string& deviation) {
+    FakeRenderer renderer;
+    renderer.deviates = deviation;
+    const JobResult result = run(job, empty_scene(), renderer);
+    for (const FrameResult& frame : result.frames)
+      EXPECT_EQ(read_exr(frame.path).attributes.deviation, deviation) << frame.path;
+    return frames_of(result, Status::kept).size();
+  };
+  EXPECT_EQ(kept_of(""), 0u);
+  EXPECT_EQ(kept_of(""), 2u);
+  EXPECT_EQ(kept_of("device, driver 1: a/b, at most 1 ulp"), 0u);
+  EXPECT_EQ(kept_of("device, driver 1: a/b, at most 1 ulp"), 2u);
+  EXPECT_EQ(kept_of("device, driver 2: a/b, at most 2 ulp"), 0u);
+  EXPECT_EQ(kept_of(""), 0u);
+}
+
+TEST(RenderJob, ANameThatIsTooLongIsFoundBeforeAnythingIsDrawn) {
+  const TemporaryFolder folder;
+  const std::string long_name(247, 'n');  // with ".0001" and ".exr" one more than file systems take
+  EXPECT_EQ(kind_of_failure(job_of(folder / (long_name + ".####.exr"), {1})), ErrorKind::cannot_create);
+  EXPECT_EQ(kind_of_failure(job_of(folder / (long_name.substr(1) + ".####.exr"), {1, 10000})),
+            ErrorKind::cannot_create);
+  RenderJob job = job_of(folder / (long_name.substr(2) + ".####.e"), {1});
+  job.preview = true;
+  EXPECT_EQ(kind_of_failure(job), ErrorKind::cannot_create);
+  job = job_of(folder / "a.####.exr", {1});
+  job.contact_sheet = folder / (long_name + "123456789.png");
+  EXPECT_EQ(kind_of_failure(job), ErrorKind::cannot_create);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderJob, AnOutputThatIsAnInputOrAnotherOutputIsRefused) {
+  const TemporaryFolder folder;
+  Scene scene = empty_scene();
+  scene.inputs = {folder.write("shot.toml", "shot"), folder.write("model.0002.obj", "model")};
+  std::filesystem::create_directory_symlink(folder.path(), folder / "link");
+  std::filesystem::create_symlink("shot.toml", folder / "other.toml");
+  const std::string detour = "link/../" + folder.path().filename().string() + "/shot.toml";
+  for (const std::string& pattern : {std::string("shot.toml"), std::string("link/shot.toml"), detour})
+    EXPECT_EQ(kind_of_failure(job_of(folder / pattern, {1}), scene), ErrorKind::usage) << pattern;
+  EXPECT_EQ(kind_of_failure(job_of(folder / "model.####.obj", {1, 2, 3}), scene), ErrorKind::usage);
+  RenderJob job = job_of(folder / "a.####.exr", {1, 2});
+  for (const std::string sheet : {"shot.toml", "a.0002.exr", "link/a.0001.exr"}) {
+    job.contact_sheet = folder / sheet;
+    EXPECT_EQ(kind_of_failure(job, scene), ErrorKind::usage) << sheet;
+  }
+  job.preview = true;
+  job.contact_sheet = folder / "a.0002.png";
+  EXPECT_EQ(kind_of_failure(job, scene), ErrorKind::usage);
+  scene.inputs = {folder / "other.toml"};  // leads to shot.toml
+  EXPECT_EQ(kind_of_failure(job_of(folder / "shot.toml", {1}), scene), ErrorKind::usage);
+  EXPECT_EQ(test_support::text_of(folder / "shot.toml"), "shot");
+}
+
+// As on a network file system, or by a hasty hand.
+TEST(RenderJob, FramesWhoseFilesAreGoneAtTheEndHaveFailed) {
+  const TemporaryFolder folder;
+  FakeRenderer renderer;
+  const RenderJob job = job_of(folder / "out/a.####.exr", {0, 1, 2, 3, 4, 5, 6, 7});
+  renderer.before_draw = [&](std::int64_t frame) {
+    if (frame != 7) return;
+    for (const char* name : {"0000", "0001", "0002", "0003", "0004", "0005", "0006"})
+      while (!std::filesystem::exists(folder / ("out/a." + std::string(name) + ".exr"))) std::this_thread::yield();
+    std::filesystem::remove_all(folder / "out");
+  };
+  const JobResult result = run(job, empty_scene(), renderer);
+  ASSERT_EQ(result.frames.size(), 8u);
+  for (const FrameResult& frame : result.frames) {
+    EXPECT_EQ(frame.status, frame.frame == 7 ? Status::rendered : Status::failed) << frame.path;
+    EXPECT_EQ(frame.error.empty(), frame.frame == 7);
+  }
+}
+
+// A file that was copied or renamed to another frame's name.
+TEST(RenderJob, ResumeLooksAtTheFramesNumber) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.####.exr", {1, 2, 3});
+  FakeRenderer first, second;
+  run(job, empty_scene(), first);
+  std::filesystem::copy_file(folder / "a.0001.exr", folder / "a.0003.exr",
+                             std::filesystem::copy_options::overwrite_existing);
+  job.resume = true;
+  const JobResult result = run(job, empty_scene(), second);
+  EXPECT_EQ(frames_of(result, Status::kept), (std::vector<std::int64_t>{1, 2}));
+  EXPECT_EQ(second.rendered, std::vector<std::int64_t>{3});
+  for (const FrameResult& frame : result.frames) expect_whole(frame);
+}
+
 TEST(RenderJob, FramesCarryNumberRateAndFingerprint) {
   const TemporaryFolder folder;
   FakeRenderer renderer;

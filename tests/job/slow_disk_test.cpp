@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <numeric>
 #include <thread>
@@ -13,11 +14,15 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
-std::atomic<int> flush_milliseconds{0}, flushing{0}, max_flushing{0};
+std::atomic<int> flush_milliseconds{0}, flushing{0}, max_flushing{0}, interruptions{0};
 }
 
 // Stands in for the C library's fsync in this program.
 extern "C" int fsync(int file) {
+  if (interruptions > 0 && interruptions-- > 0) {
+    errno = EINTR;
+    return -1;
+  }
   const int now = ++flushing;
   int max = max_flushing;
   while (now > max && !max_flushing.compare_exchange_weak(max, now)) {
@@ -54,6 +59,15 @@ TEST(SlowDisk, FramesInMemoryStayBoundedAndFlushesOverlap) {
     EXPECT_GT(max_flushing, threads) << "flushes wait for each other";
   }
   flush_milliseconds = 0;
+}
+
+TEST(InterruptedFlush, IsTriedAgain) {
+  const test_support::TemporaryFolder folder;
+  FakeRenderer renderer;
+  interruptions = 7;
+  const JobResult result = run(job_of(folder / "a.##.exr", {1, 2}), empty_scene(), renderer);
+  EXPECT_LE(interruptions, 0);
+  for (const FrameResult& frame : result.frames) EXPECT_EQ(frame.status, FrameResult::Status::rendered) << frame.error;
 }
 
 }  // namespace
