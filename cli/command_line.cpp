@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <iostream>
 #include <new>
 
 #include "cli/accuracy_command.hpp"
@@ -235,7 +236,12 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options, Action& action) {
 
 // What CLI11 found wrong as one line; --help and --version print to stdout and are no error.
 int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
+  if (error.get_exit_code() == 0) {
+    const int code = app.exit(error);
+    std::cout.flush();
+    check_results();
+    return code;
+  }
   const std::vector<std::string> unknown = app.get_subcommands().empty() ? app.remaining() : std::vector<std::string>();
   print_message(unknown.empty()
                     ? printable(error.what()) + "; see morphcl --help"

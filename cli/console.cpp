@@ -18,12 +18,17 @@ bool environment_says(const char* name, std::string_view value) {
 }
 }  // namespace
 
-void print_result(std::string_view line) {
-  fmt::print(stdout, "{}\n", line);
+void print_result(std::string_view text) {
+  std::string safe;
+  for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
+    end = text.find('\n', begin);
+    safe += printable(text.substr(begin, end - begin)) + '\n';
+  }
+  std::fwrite(safe.data(), 1, safe.size(), stdout);
   std::fflush(stdout);  // what fails here is found by check_results()
 }
 
-void print_message(std::string_view line) { print_progress(fmt::format("morphcl: {}", line)); }
+void print_message(std::string_view line) { print_progress(fmt::format("morphcl: {}", printable(line))); }
 
 void print_progress(std::string_view line) {
   const std::string text = fmt::format("{}\n", line);

@@ -6,8 +6,10 @@
 
 namespace morphcl::cli {
 
-void print_result(std::string_view line);    // to stdout, with a newline
-void print_message(std::string_view line);   // to stderr: "morphcl: LINE"
+// To stdout, with a newline; `text` may be of several lines. Control characters, which file names may hold, are
+// replaced.
+void print_result(std::string_view text);
+void print_message(std::string_view line);   // to stderr: "morphcl: LINE", control characters replaced
 void print_progress(std::string_view line);  // to stderr, as it is
 
 // Throws Error(write_failed) when a result could not be written: stdout is full or was closed.

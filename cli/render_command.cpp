@@ -70,6 +70,7 @@ int render_command(const RenderOptions& options) {
   if (programs_stored.valid() && !result.interrupted) {
     programs_stored.wait();
     opened.store_programs();  // of stages that no earlier frame needed; costs nothing when there are none
+    opened.warn_of_cache();
   }
   return code;
 }

@@ -28,6 +28,19 @@ const char* status_name(Status status) {
   return "failed";
 }
 
+std::vector<std::int64_t> frames_of(const JobResult& result, Status status) {
+  std::vector<std::int64_t> frames;
+  for (const FrameResult& frame : result.frames)
+    if (frame.status == status) frames.push_back(frame.frame);
+  return frames;
+}
+
+// What the errors of several frames have in common: all but their places.
+std::string reason_of(const std::string& error) {
+  const std::size_t colon = error.rfind(": ");
+  return colon == std::string::npos ? error : error.substr(colon + 2);
+}
+
 std::size_t count_of(const JobResult& result, Status status) {
   const auto is = [status](const FrameResult& frame) { return frame.status == status; };
   return static_cast<std::size_t>(std::count_if(result.frames.begin(), result.frames.end(), is));
@@ -37,6 +50,18 @@ std::size_t count_of(const JobResult& result, Status status) {
 std::string interrupted_words(std::size_t whole, std::size_t total) {
   if (total == 0) return "interrupted before the first frame; run the same command again";
   return fmt::format("interrupted after {} of {} frames; run the same command with --resume to go on", whole, total);
+}
+
+std::string frame_ranges(const std::vector<std::int64_t>& frames) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t last = i;
+    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", frames[i]);
+    if (last > i) text += fmt::format("-{}", frames[last]);
+    i = last + 1;
+  }
+  return text;
 }
 
 int exit_code(const JobResult& result) {
@@ -58,15 +83,12 @@ RenderReport::RenderReport(std::size_t total, Settings settings)
 
 void RenderReport::frame(const FrameResult& result) {
   bar_.advance(result.status == Status::rendered || result.status == Status::copied);
-  if (result.status == Status::failed) bar_.message(result.error);
+  if (result.status == Status::failed) {
+    known_failed_.insert(result.frame);
+    if (reasons_.insert(reason_of(result.error)).second) bar_.message(result.error);
+  }
   if (!settings_.json) return;
-  Json frame =
-      json_object("frame", {{"frame", result.frame}, {"status", status_name(result.status)}, {"path", result.path}});
-  if (result.status == Status::failed)
-    frame.update({{"error", result.error}, {"code", result.error_code}});
-  else
-    frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}});
-  print_result(line_of(frame));
+  print_frame(result);
   if (settings_.quiet) return;
   print_progress(line_of(json_object("progress", {{"done", bar_.done()},
                                                   {"total", total_},
@@ -74,9 +96,36 @@ void RenderReport::frame(const FrameResult& result) {
                                                   {"seconds_left", bar_.seconds_left()}})));
 }
 
+void RenderReport::print_frame(const FrameResult& result) const {
+  Json frame =
+      json_object("frame", {{"frame", result.frame}, {"status", status_name(result.status)}, {"path", result.path}});
+  if (result.status == Status::failed)
+    frame.update({{"error", result.error}, {"code", result.error_code}});
+  else
+    frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}});
+  print_result(line_of(frame));
+}
+
+// Frames that were whole when they were reported, and whose files are gone.
+void RenderReport::report_lost(const JobResult& result) {
+  std::vector<std::int64_t> lost;
+  const FrameResult* first = nullptr;
+  for (const FrameResult& frame : result.frames) {
+    if (frame.status != Status::failed || known_failed_.count(frame.frame) != 0) continue;
+    if (first == nullptr) first = &frame;
+    lost.push_back(frame.frame);
+    if (settings_.json) print_frame(frame);
+  }
+  if (lost.size() == 1)
+    print_message(first->error);
+  else if (first != nullptr)
+    print_message(fmt::format("frames {}: {}", frame_ranges(lost), first->error));
+}
+
 int RenderReport::finish(const JobResult& result) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   bar_.close();
+  report_lost(result);
   summary(result, elapsed.count());
   if (result.interrupted)
     print_message(interrupted_words(result.frames.size() - count_of(result, Status::failed), total_));
@@ -107,7 +156,7 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
   std::string line = fmt::format("{} frames rendered", rendered);
   if (copied > 0) line += fmt::format(", {} copied", copied);
   if (kept > 0) line += fmt::format(", {} kept", kept);
-  if (failed > 0) line += fmt::format(", {} failed", failed);
+  if (failed > 0) line += fmt::format(", {} failed ({})", failed, frame_ranges(frames_of(result, Status::failed)));
   line += fmt::format(" on {} in {:.2f} s ({:.1f} frames/s): {}", settings_.device, seconds, speed, first->path);
   if (first->frame != last->frame) line += " to " + last->path;
   for (const std::string& path : settings_.extra_outputs) line += ", " + path;

@@ -1,6 +1,7 @@
 // What a render job tells: frames as they finish, failures, and the line at the end.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,23 +21,30 @@ class RenderReport {
   RenderReport(std::size_t total, Settings settings);
 
   // With --json one object on stdout a frame, and one on stderr for the progress unless quiet. A failure is one line on
-  // stderr.
+  // stderr, and those that follow for the same reason none: finish() counts them.
   void frame(const FrameResult& result);
 
   // The closing line or object on stdout, and the message of an interrupted job on stderr. Returns the exit code.
   int finish(const JobResult& result);
 
  private:
+  void report_lost(const JobResult& result);
+  void print_frame(const FrameResult& result) const;
   void summary(const JobResult& result, double seconds) const;
 
   std::size_t total_;
   Settings settings_;
   ProgressBar bar_;
+  std::set<std::string> reasons_;        // of failures
+  std::set<std::int64_t> known_failed_;  // frames
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 // What a job that is stopped says: "interrupted after 3 of 101 frames; ...". `total` is 0 while the scene is loaded.
 std::string interrupted_words(std::size_t whole, std::size_t total);
+
+// "0-38, 40"
+std::string frame_ranges(const std::vector<std::int64_t>& frames);
 
 // 75 when interrupted; 0 when no frame failed; the failures' common code when no frame was written, or when all of them
 // are failed writes (74: the disk is full); else 1.

@@ -104,6 +104,51 @@ TEST_F(Output, FileSizeLimitOfTheShell) {
   EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
 }
 
+// 5 frames fail for one reason: that is one line, and the closing line counts them.
+TEST_F(Output, AFullDiskIsOneLine) {
+  ToolResult result;
+  {
+    const FileSizeLimit limit(256 << 10);
+    result =
+        run_tool(render({"--size", "512x512", "--compression", "none", "-o", path("f.####.exr"), "--plan", "none"}));
+  }
+  expect_one_line_error(result, write_failed, "exr: File too large");
+}
+
+TEST_F(Output, FramesThatFailAreCountedInTheClosingLine) {
+  std::filesystem::create_directories(folder_ / "f.0003.exr");
+  std::filesystem::create_directories(folder_ / "f.0004.exr");
+  const ToolResult result = run_tool(render({"-o", path("f.####.exr"), "--plan", "none"}));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("3 frames rendered, 2 failed (3-4)"));
+}
+
+TEST_F(Output, AnInputIsNotOverwritten) {
+  const std::string shot = plant("shot.toml", cube_shot());
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+           {"--frames", "0", "-o", shot}, {"--contact-sheet", shot}, {"--contact-sheet", path("shot.0003.exr")}}) {
+    std::vector<std::string> job = render({"-o", path("shot.####.exr")});
+    job.resize(job.size() - 2 * (options.front() == "--frames"));
+    job.insert(job.end(), options.begin(), options.end());
+    expect_one_line_error(run_tool(job), 2, "another name");
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
+  EXPECT_EQ(test_support::text_of(shot), cube_shot());
+}
+
+TEST_F(Output, ControlCharactersOfPathsAreNotPrinted) {
+  const ToolResult result = run_tool(render({"--frames", "0", "-o", path("a\033[31m\xc2\x9b.exr")}));
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("a?[31m??.exr"));
+  EXPECT_EQ((result.out + result.err).find_first_of("\033\x9b"), std::string::npos);
+}
+
+TEST_F(Output, HelpThatCannotBePrinted) {
+  expect_one_line_error(run_tool({"--help"}, {.stdout_to = "/dev/full"}), write_failed, "stdout");
+  expect_one_line_error(run_tool({"--version"}, {.stdout_to = "/dev/full"}), write_failed, "stdout");
+}
+
 TEST_F(Output, ResultsThatCannotBePrinted) {
   const ToolResult result = run_tool({"plan", plant("shot.toml", cube_shot())}, {.stdout_to = "/dev/full"});
   expect_one_line_error(result, write_failed, "stdout");
@@ -118,14 +163,14 @@ ToolResult run_with_closed_streams(const std::string& closed, const std::vector<
 
 // Files that are opened get the numbers of closed streams, and libraries print there.
 TEST_F(Output, ClosedStreamsLeaveEveryFrameWhole) {
-  const std::vector<std::string> job =
-      render({"--frames", "0-60", "-o", path("f.####.exr"), "--json", "--plan", "none"});
+  const std::vector<std::string> job = render(
+      {"--frames", "0-200", "--size", "64x36", "--threads", "4", "--plan", "none", "--json", "-o", path("f.####.exr")});
   const ToolResult result = run_with_closed_streams("<&- 2>&-", job);
   EXPECT_EQ(result.code, 0);
-  EXPECT_EQ(result.out_lines().size(), 62u);
+  EXPECT_EQ(result.out_lines().size(), 202u);
   std::vector<std::string> again = job;
   again.push_back("--resume");
-  EXPECT_THAT(run_tool(again).out, HasSubstr("\"kept\":61"));
+  EXPECT_THAT(run_tool(again).out, HasSubstr("\"kept\":201"));
 }
 
 TEST_F(Output, ResultsToAClosedStdoutAreLost) {
