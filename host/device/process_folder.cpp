@@ -42,11 +42,11 @@ void remove_if_abandoned(const fs::path& folder) {
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != geteuid()) return;
   int file = open((folder / "owner").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
   if (file < 0) file = open((folder / "owner.new").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+  std::error_code failure;
   if (file < 0) {
-    rmdir(folder.c_str());  // killed before it had an owner: it is empty
+    fs::remove_all(folder, failure);  // killed before it had an owner, or while it was removed
     return;
   }
-  std::error_code failure;
   if (flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, failure);
   close(file);
 }

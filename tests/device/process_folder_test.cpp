@@ -58,6 +58,15 @@ TEST(ProcessFolder, OfAKilledProcessIsRemovedByTheNext) {
   EXPECT_TRUE(fs::exists(next));
 }
 
+TEST(ProcessFolder, OfAProcessThatWasKilledWithoutAnOwnersFileIsRemovedByTheNext) {
+  const TemporaryFolder parent;
+  fs::create_directory(parent / "own-before");   // it had no owner yet
+  parent.write("own-atexit/cache/program", "");  // its removal had begun
+  parent.write("own-naming/owner.new", "");
+  const fs::path next = make_process_folder(parent.path(), "own");
+  EXPECT_EQ(parent.names(), std::set<std::string>{next.filename().string()});
+}
+
 TEST(ProcessFolder, OfALivingProcessAndFoldersThatAreNotOursStay) {
   const TemporaryFolder parent;
   fs::create_directory(parent / "own-living");
