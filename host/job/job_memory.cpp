@@ -56,9 +56,9 @@ JobLimits job_limits(const RenderJob& job, const ImageSettings& image, const Ren
   while (costs.of(queue) > room && queue.buffers + queue.threads > 2)
     --(queue.threads >= queue.buffers ? queue.threads : queue.buffers);
   limits.checkers = job.resume ? fitting(room, costs.checker, 1, threads) : 1;
-  const std::uint64_t least = std::max(costs.of(queue), job.resume ? costs.checker : 0);
-  if (least > room)
-    require_memory(least, fmt::format("a frame of {}x{}", image.width, image.height),
+  const std::uint64_t needed = std::max(costs.of(queue), job.resume ? costs.checker : 0);
+  if (needed > room)
+    require_memory(needed, fmt::format("a frame of {}x{}", image.width, image.height),
                    "a smaller size, fewer channels or the compression zip take less");
   return limits;
 }

@@ -19,7 +19,7 @@ namespace=(unshare --pid --fork --kill-child)
 "${namespace[@]}" true 2>/dev/null || namespace=(unshare --user --map-root-user --pid --fork --kill-child)
 "${namespace[@]}" true 2>/dev/null || namespace=()
 
-# job OUTPUT LIMIT OPTION...: the exit code is 137 when the limit, in seconds, has killed it
+# job OUTPUT LIMIT OPTION...: the exit code is 137, or 124 from `timeout` itself, when the limit, in seconds, has killed it
 job() {
   local output=$1 limit=$2
   shift 2
@@ -46,7 +46,7 @@ while ((killed < kills)); do
     ((killed < kills)) || limit=300
     code=0
     job "$output" "$limit" "$@" > "$folder/round.txt" 2> "$folder/errors.txt" || code=$?
-    ((code == 137)) || break
+    ((code == 137 || code == 124)) || break
     killed=$((killed + 1))
   done
   ((code == 0)) || fail "a resumed job ended with $code: $(cat "$folder/errors.txt")"
