@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include "host/image/srgb.hpp"
+#include "host/image/straight_pixels.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -25,7 +25,18 @@ std::vector<T> array_of(const FrameBuffer& frame) {
 
 // One channel of one pixel. `behind`: what is shown behind it.
 std::uint8_t over(float value, float alpha, float behind) { return srgb8(value + (1 - alpha) * behind); }
-std::uint8_t straight(float value, float alpha) { return alpha > 0 ? srgb8(value / alpha) : std::uint8_t{0}; }
+
+std::vector<std::uint8_t> straight_pixels(const FrameBuffer& frame) {
+  std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
+  std::vector<PixelSpan> spans;
+  const std::size_t line_bytes = static_cast<std::size_t>(frame.width()) * straight_pixel_bytes(8);
+  for (int y = 0; y < frame.height(); ++y) {
+    if (y % static_cast<int>(FrameBuffer::block_side) == 0)
+      find_spans(spans, frame, y / static_cast<int>(FrameBuffer::block_side));
+    write_straight_pixels(frame, spans, y, 8, pixels.data() + static_cast<std::size_t>(y) * line_bytes);
+  }
+  return pixels;
+}
 
 }  // namespace
 
@@ -44,10 +55,9 @@ std::vector<float> to_rgba32f(const FrameBuffer& frame) {
 
 std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> background) {
   require_color(frame);
-  std::array<float, 3> behind{};
-  if (background)
-    behind = {linear_from_srgb8(background->red), linear_from_srgb8(background->green),
-              linear_from_srgb8(background->blue)};
+  if (!background) return straight_pixels(frame);
+  const std::array<float, 3> behind{linear_from_srgb8(background->red), linear_from_srgb8(background->green),
+                                    linear_from_srgb8(background->blue)};
   const auto& code = srgb8_from_half();
   const auto& value = displayable_from_half();
   std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
@@ -60,11 +70,9 @@ std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> 
       const float alpha = std::min(value[alphas[x]], 1.0f);
       for (std::size_t channel = 0; channel < 3; ++channel) {
         const std::uint16_t stored = colors[channel][x];
-        *out++ = alpha == 1   ? code[stored]
-                 : background ? over(value[stored], alpha, behind[channel])
-                              : straight(value[stored], alpha);
+        *out++ = alpha == 1 ? code[stored] : over(value[stored], alpha, behind[channel]);
       }
-      *out++ = background ? std::uint8_t{255} : static_cast<std::uint8_t>(std::lround(alpha * 255));
+      *out++ = 255;
     }
   }
   return pixels;

@@ -3,27 +3,35 @@
 #include <half.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace morphcl {
 
 namespace {
 
 constexpr float max_half = 65504.0f;
+constexpr double max_code = 65535;
+constexpr std::size_t middle_code = 128;  // of the 257 codes of 16 bits that have one code of 8 bits, counted from 0
+constexpr std::size_t codes_per_code8 = 257;  // 65535 / 255
 
-// x^2.4 for x in [0.05, 1], within 7u: x^2 times the square of the fifth root, which Newton's method finds from
-// the fourth in six steps. Not pow, whose last bits depend on the C library and the processor.
-double power_2_4(double x) {
-  double root = std::sqrt(std::sqrt(x));
-  for (int step = 0; step < 6; ++step) {
-    const double fourth = (root * root) * (root * root);
-    root = 0.2 * (4 * root + x / fourth);
+// The root of x^5 = value, from 0 to 1, by Newton's iteration. No pow of a C library: those differ.
+double fifth_root(double value) {
+  double root = 1;
+  for (double next = 0;; root = next) {
+    const double square = root * root;
+    const double fourth = square * square;
+    next = root - (fourth * root - value) / (5 * fourth);
+    if (next >= root) return root;  // it falls until it is exact but for rounding
   }
-  return (x * x) * (root * root);
 }
 
-double linear_from_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : power_2_4((encoded + 0.055) / 1.055);
+// The value of the code `twice` / 2, of 65535: code/12.92 up to 0.04045, then ((code + 0.055) / 1.055)^2.4.
+// Below, one division of whole numbers; above, within 2^-49.
+double linear_from_half_codes(std::int64_t twice) {
+  const double half_codes = static_cast<double>(twice);
+  if (half_codes <= 2 * max_code * 0.04045) return half_codes * 25 / (646 * max_code);
+  const double base = (half_codes / (2 * max_code) + 0.055) / 1.055;
+  const double square = base * base;
+  return square * fifth_root(square);
 }
 
 half half_from_bits(std::size_t bits) {
@@ -41,25 +49,48 @@ std::array<float, 65536> make_displayable() {
   return table;
 }
 
-// A code is the number of rounding boundaries below the value. The boundaries are irrational (or, on the straight
-// piece, no halves), so no half lies on one and a last bit of the power decides nothing.
-std::array<std::uint8_t, 65536> make_srgb8() {
-  std::array<double, 255> boundaries{};
+std::vector<double> make_boundaries() {
+  std::vector<double> boundaries(65535);
   for (std::size_t code = 0; code < boundaries.size(); ++code)
-    boundaries[code] = linear_from_srgb((static_cast<double>(code) + 0.5) / 255);
-  std::array<std::uint8_t, 65536> table{};
+    boundaries[code] = linear_from_half_codes(static_cast<std::int64_t>(2 * code + 1));
+  return boundaries;
+}
+
+// A code is the number of rounding boundaries at or below the value.
+std::uint16_t code16(double value) {
+  const std::vector<double>& boundaries = srgb16_boundaries();
+  return static_cast<std::uint16_t>(std::upper_bound(boundaries.begin(), boundaries.end(), value) - boundaries.begin());
+}
+
+std::array<std::uint16_t, 65536> make_srgb16() {
+  std::array<std::uint16_t, 65536> table{};
   for (std::size_t bits = 0; bits < table.size(); ++bits) {
-    const double value = displayable_from_half()[bits];
-    table[bits] =
-        static_cast<std::uint8_t>(std::lower_bound(boundaries.begin(), boundaries.end(), value) - boundaries.begin());
+    const float value = displayable_from_half()[bits];
+    table[bits] = value >= 1 ? std::uint16_t{65535} : value > 0 ? code16(value) : std::uint16_t{0};
   }
+  return table;
+}
+
+std::array<std::uint8_t, 65536> make_srgb8() {
+  std::array<std::uint8_t, 65536> table{};
+  for (std::size_t bits = 0; bits < table.size(); ++bits) table[bits] = srgb8_from_srgb16(srgb16_from_half()[bits]);
   return table;
 }
 
 }  // namespace
 
+const std::vector<double>& srgb16_boundaries() {
+  static const std::vector<double> boundaries = make_boundaries();
+  return boundaries;
+}
+
 const std::array<float, 65536>& displayable_from_half() {
   static const std::array<float, 65536> table = make_displayable();
+  return table;
+}
+
+const std::array<std::uint16_t, 65536>& srgb16_from_half() {
+  static const std::array<std::uint16_t, 65536> table = make_srgb16();
   return table;
 }
 
@@ -68,8 +99,21 @@ const std::array<std::uint8_t, 65536>& srgb8_from_half() {
   return table;
 }
 
+std::uint16_t srgb16_of_ratio(float color, float alpha) {
+  return color >= alpha ? std::uint16_t{65535} : code16(static_cast<double>(color) / alpha);
+}
+
+// Of the boundaries of 8 bits code k has that of the 16-bit code 257 k + 128.
+std::uint8_t srgb8_from_srgb16(std::uint16_t code) {
+  return static_cast<std::uint8_t>((code + middle_code) / codes_per_code8);
+}
+
 std::uint8_t srgb8(float linear) { return srgb8_from_half()[half(linear).bits()]; }
 
-float linear_from_srgb8(std::uint8_t code) { return static_cast<float>(linear_from_srgb(code / 255.0)); }
+double linear_from_srgb16(std::uint16_t code) { return linear_from_half_codes(2 * std::int64_t{code}); }
+
+float linear_from_srgb8(std::uint8_t code) {
+  return static_cast<float>(linear_from_srgb16(static_cast<std::uint16_t>(code * codes_per_code8)));
+}
 
 }  // namespace morphcl
