@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace morphcl {
 
@@ -25,6 +26,20 @@ class ZlibEncoder {
 };
 
 std::unique_ptr<ZlibEncoder> make_zlib_encoder(ZlibEffort effort);
+
+// Pieces of one deflate stream (RFC 1951), each compressed by itself: in any order, by several threads. Behind the last
+// piece belongs an empty block that says that it is the last, which is not made here.
+class DeflatePieces {
+ public:
+  virtual ~DeflatePieces() = default;
+  // Replaces `out` by whole blocks for `in`, none of which is the stream's last; they end on a byte. The same input
+  // gives the same blocks, whatever came before.
+  virtual void encode(std::span<const std::uint8_t> in, std::vector<std::uint8_t>& out) = 0;
+};
+
+// In the least time: by igzip where this build has it, else by zlib, as libdeflate makes whole streams alone.
+std::unique_ptr<DeflatePieces> make_deflate_pieces();
+std::unique_ptr<DeflatePieces> make_zlib_deflate_pieces();
 
 // The library behind `fast`: "igzip" or "libdeflate".
 std::string_view fast_zlib_library();

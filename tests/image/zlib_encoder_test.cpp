@@ -91,6 +91,31 @@ TEST_P(ZlibEncoders, StreamsDependOnTheirInputAlone) {
     }
 }
 
+// Pieces of several kinds in a row are one stream, once its end stands behind them.
+TEST(DeflatePieces, DecodeTogetherAndDependOnTheirInputAlone) {
+  for (const auto& make : {make_deflate_pieces, make_zlib_deflate_pieces}) {
+    const auto encoder = make(), other = make();
+    Bytes stream, all, piece, again;
+    for (const std::size_t bytes : {1, 7, 8, 9, 100, 4096, 65536, 300000})
+      for (const Bytes& data : kinds_of_data(bytes)) {
+        encoder->encode(data, piece);
+        other->encode(kinds_of_data(50)[1], again);
+        other->encode(data, again);
+        EXPECT_EQ(piece, again) << bytes;
+        stream.insert(stream.end(), piece.begin(), piece.end());
+        all.insert(all.end(), data.begin(), data.end());
+      }
+    stream.insert(stream.end(), {0x03, 0x00});
+    Bytes out(all.size());
+    libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
+    EXPECT_EQ(
+        libdeflate_deflate_decompress(decompressor, stream.data(), stream.size(), out.data(), out.size(), nullptr),
+        LIBDEFLATE_SUCCESS);
+    libdeflate_free_decompressor(decompressor);
+    EXPECT_EQ(out, all);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Efforts, ZlibEncoders, testing::Values(ZlibEffort::fast, ZlibEffort::small),
                          [](const auto& test) { return test.param == ZlibEffort::fast ? "fast" : "small"; });
 
