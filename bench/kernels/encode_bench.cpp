@@ -25,6 +25,7 @@
 #include "host/image/exr_stream.hpp"
 #include "host/image/exr_zip_chunk.hpp"
 #include "host/image/pixel_hash.hpp"
+#include "host/image/png_encode.hpp"
 #include "host/image/zlib_encoder.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/planner.hpp"
@@ -155,6 +156,13 @@ void add_steps(const Picture& picture) {
       encode_exr(bytes, frame, {}, compression, 1);
       return bytes.size();
     });
+  for (const int bits : {8, 16}) {
+    if (frame.has_depth()) continue;  // PNG has none
+    add(picture, fmt::format("file, PNG of {} bits", bits), [&frame, bits] {
+      encode_png(bytes, frame, {}, bits, 1);
+      return bytes.size();
+    });
+  }
   for (const int level : {1, 4})
     add(picture, fmt::format("OpenEXR, zip level {}", level),
         [&frame, level] { return stock_file(frame, Imf::ZIP_COMPRESSION, level); });

@@ -1,11 +1,8 @@
 #include "morphcl/exr.hpp"
 
-#include <fmt/format.h>
-
-#include <filesystem>
-
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_encode.hpp"
+#include "host/image/written_file.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -31,11 +28,7 @@ void verify_exr(const std::string& path, const std::string& hash) {
   } catch (const Error& error) {
     found = error.message();
   }
-  if (found == hash) return;
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);
-  throw Error(ErrorKind::write_failed, path,
-              fmt::format("was written with the pixel hash {} and reads back with: {}; check the disk", hash, found));
+  require_read_back(path, hash, found);
 }
 
 }  // namespace morphcl

@@ -25,6 +25,7 @@
 #include "morphcl/numerics.hpp"
 #include "morphcl/plan.hpp"
 #include "morphcl/planner.hpp"
+#include "morphcl/png.hpp"
 #include "morphcl/predicates.hpp"
 #include "morphcl/projection.hpp"
 #include "morphcl/renderer.hpp"

@@ -1,0 +1,44 @@
+#include "host/image/png_chunks.hpp"
+
+#include <libdeflate.h>
+
+#include <string>
+
+namespace morphcl {
+
+namespace {
+
+std::span<const std::uint8_t> bytes_of_text(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+void append_big_endian(std::vector<char>& bytes, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(value >> shift & 0xff));
+}
+
+std::uint32_t big_endian(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(bytes[i]);
+  return value;
+}
+
+void append_chunk(std::vector<char>& bytes, std::string_view type, std::span<const std::uint8_t> data,
+                  std::span<const std::uint8_t> more) {
+  append_big_endian(bytes, static_cast<std::uint32_t>(data.size() + more.size()));
+  std::uint32_t crc = 0;
+  for (const std::span<const std::uint8_t> piece : {bytes_of_text(type), data, more}) {
+    if (piece.empty()) continue;  // for libdeflate no bytes at no address are a new beginning
+    bytes.insert(bytes.end(), piece.begin(), piece.end());
+    crc = libdeflate_crc32(crc, piece.data(), piece.size());
+  }
+  append_big_endian(bytes, crc);
+}
+
+void append_text_chunk(std::vector<char>& bytes, std::string_view key, std::string_view text) {
+  const std::string data = std::string(key) + '\0' + std::string(text);
+  append_chunk(bytes, "tEXt", bytes_of_text(data));
+}
+
+}  // namespace morphcl

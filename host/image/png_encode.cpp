@@ -1,0 +1,165 @@
+#include "host/image/png_encode.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <system_error>
+#include <thread>
+
+#include "host/image/png_chunks.hpp"
+#include "host/image/png_pixel_hash.hpp"
+#include "host/image/png_stripes.hpp"
+#include "morphcl/error.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::array<std::uint8_t, 2> zlib_head{0x78, 0x01};         // deflate, a window of 32 KB, fast
+constexpr std::array<std::uint8_t, 2> last_empty_block{0x03, 0x00};  // of the fixed codes: its end alone
+constexpr std::size_t hash_digits = 32;
+
+// What one thread makes: stripes as they stand in a file, one IDAT chunk each.
+struct StripeRun {
+  std::vector<char> bytes;
+  Adler32 checksum;
+  std::exception_ptr failure;
+};
+
+// Kept by the thread: fresh memory costs more than the work in it.
+PngStripes& stripes_of_this_thread(const FrameBuffer& frame, int bits) {
+  thread_local std::unique_ptr<PngStripes> stripes;
+  if (!stripes) stripes = std::make_unique<PngStripes>();
+  stripes->begin(frame, bits);
+  return *stripes;
+}
+
+// Appends the stripes first to last - 1. `hasher` may be null.
+void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, int first, int last, PngPixelHasher* hasher) {
+  PngStripes& stripes = stripes_of_this_thread(frame, bits);
+  for (int i = first; i < last; ++i) {
+    const PngStripes::Stripe stripe = stripes.encode(i * png_stripe_lines);
+    if (hasher) hasher->add(stripe.pixels);
+    append_chunk(run.bytes, "IDAT", i == 0 ? std::span<const std::uint8_t>(zlib_head) : stripe.blocks,
+                 i == 0 ? stripe.blocks : std::span<const std::uint8_t>{});
+    run.checksum.append(stripe.checksum);
+  }
+}
+
+// The same by further threads, while this one makes the hash, which goes through the pixels in their order.
+std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int bits, int stripe_count, int threads,
+                                                   PngPixelHasher& hasher) {
+  std::vector<StripeRun> runs(static_cast<std::size_t>(threads));
+  const auto encode_run = [&](int i) {
+    StripeRun& run = runs[static_cast<std::size_t>(i)];
+    try {
+      append_stripes(run, frame, bits, stripe_count * i / threads, stripe_count * (i + 1) / threads, nullptr);
+    } catch (...) {
+      run.failure = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> workers;
+  int started = 0;
+  try {
+    for (; started < threads; ++started) workers.emplace_back(encode_run, started);
+  } catch (const std::system_error&) {
+    // The system starts no more: what is left is done here.
+  }
+  PngStripes& stripes = stripes_of_this_thread(frame, bits);
+  for (int i = 0; i < stripe_count; ++i) hasher.add(stripes.convert(i * png_stripe_lines));
+  for (int i = started; i < threads; ++i) encode_run(i);
+  workers.clear();  // a jthread joins when it goes
+  for (const StripeRun& run : runs)
+    if (run.failure) std::rethrow_exception(run.failure);
+  return runs;
+}
+
+void append_texts(std::vector<char>& bytes, const FrameAttributes& attributes, const std::string& hash) {
+  const auto printable_ascii = [](char c) { return c >= ' ' && c <= '~'; };
+  if (!std::all_of(attributes.fingerprint.begin(), attributes.fingerprint.end(), printable_ascii))
+    throw Error(ErrorKind::usage, "", "a fingerprint of other characters than printable ASCII");
+  append_text_chunk(bytes, frame_text, std::to_string(attributes.frame));
+  append_text_chunk(bytes, fingerprint_text, attributes.fingerprint);
+  append_text_chunk(bytes, pixel_hash_text, hash);
+}
+
+// Replaces `bytes` by all that stands before the pixels.
+void write_png_head(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
+                    const std::string& hash) {
+  constexpr std::uint8_t rgba = 6, perceptual = 0;
+  bytes.assign(png_signature.begin(), png_signature.end());
+  std::vector<char> header;
+  append_big_endian(header, static_cast<std::uint32_t>(frame.width()));
+  append_big_endian(header, static_cast<std::uint32_t>(frame.height()));
+  for (const int value : {bits, int{rgba}, 0, 0, 0}) header.push_back(static_cast<char>(value));
+  append_chunk(bytes, "IHDR", {reinterpret_cast<const std::uint8_t*>(header.data()), header.size()});
+  append_chunk(bytes, "sRGB", std::array<std::uint8_t, 1>{perceptual});
+  append_chunk(bytes, "gAMA", std::array<std::uint8_t, 4>{0x00, 0x00, 0xb1, 0x8f});  // 45455: what goes with sRGB
+  append_texts(bytes, attributes, hash);
+}
+
+void append_end(std::vector<char>& bytes, const Adler32& checksum) {
+  std::array<std::uint8_t, 4> sum{};
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint8_t>(checksum.value >> (24 - 8 * i));
+  append_chunk(bytes, "IDAT", last_empty_block, sum);
+  append_chunk(bytes, "IEND", {});
+}
+
+}  // namespace
+
+std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
+                       int threads) {
+  check_png_bits(bits);
+  if (!frame.has_color()) throw Error(ErrorKind::usage, "", "PNG of a frame without colour; ask for RGBA");
+  write_png_head(bytes, frame, attributes, bits, std::string(hash_digits, '0'));  // the hash is not known yet
+  const int stripe_count = (frame.height() + png_stripe_lines - 1) / png_stripe_lines;
+  PngPixelHasher hasher(static_cast<std::uint32_t>(frame.width()), static_cast<std::uint32_t>(frame.height()), bits);
+  StripeRun all;
+  all.bytes.swap(bytes);
+  if (threads > 1 && stripe_count > 1) {
+    for (const StripeRun& run :
+         encode_stripes_with_threads(frame, bits, stripe_count, std::min(threads, stripe_count), hasher)) {
+      all.bytes.insert(all.bytes.end(), run.bytes.begin(), run.bytes.end());
+      all.checksum.append(run.checksum);
+    }
+  } else {
+    append_stripes(all, frame, bits, 0, stripe_count, &hasher);
+  }
+  bytes.swap(all.bytes);
+  append_end(bytes, all.checksum);
+  const std::string hash = hasher.hex();
+  std::vector<char> head;
+  write_png_head(head, frame, attributes, bits, hash);
+  std::copy(head.begin(), head.end(), bytes.begin());
+  return hash;
+}
+
+std::string relabel_png(std::vector<char>& bytes, std::span<const char> source, const FrameAttributes& attributes) {
+  constexpr std::size_t around_data = 12;  // length, type, CRC
+  bytes.assign(source.begin(),
+               source.begin() + static_cast<std::ptrdiff_t>(std::min(source.size(), png_signature.size())));
+  std::string hash;
+  for (std::size_t at = png_signature.size(); at + around_data <= source.size();) {
+    const std::size_t length = big_endian(source.data() + at) + around_data;
+    const std::string_view type(source.data() + at + 4, 4);
+    if (length > source.size() - at) break;
+    const std::string_view data(source.data() + at + 8, length - around_data);
+    if (type == "IDAT" && hash.size() == hash_digits) {
+      append_texts(bytes, attributes, hash);
+      bytes.insert(bytes.end(), source.begin() + static_cast<std::ptrdiff_t>(at), source.end());
+      return hash;
+    }
+    if (type != "tEXt")
+      bytes.insert(bytes.end(), source.begin() + static_cast<std::ptrdiff_t>(at),
+                   source.begin() + static_cast<std::ptrdiff_t>(at + length));
+    else if (data.starts_with(pixel_hash_text))
+      hash = data.substr(std::min(data.size(), pixel_hash_text.size() + 1));
+    at += length;
+  }
+  throw Error(ErrorKind::internal, "", "is no file that this library made");
+}
+
+}  // namespace morphcl
