@@ -7,13 +7,10 @@
 #include <set>
 
 #include "host/image/atomic_file.hpp"
-#include "host/image/exr_encode.hpp"
-#include "host/image/exr_relabel.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/pixel_hash.hpp"
 #include "host/temporary_file.hpp"
 #include "morphcl/error.hpp"
-#include "morphcl/exr.hpp"
 
 namespace morphcl {
 
@@ -27,7 +24,6 @@ std::string preview_path(const std::string& path) {
 }
 
 void check_settings(const RenderJob& job, const ImageSettings& image, const FramePattern& pattern) {
-  check_compression(image.compression);
   if (job.frames.size() > 1 && !pattern.has_number())
     throw Error(ErrorKind::usage, "",
                 fmt::format("{} frames for the one file '{}'; put #### where the frame number belongs",
@@ -89,6 +85,7 @@ FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::st
                                      : text_hash(morphcl::fingerprint(scene) + deviation)),
       image_(scene.image),
       pattern_(job.pattern),
+      file_(job, image_),
       encoders_(encoders) {
   check_settings(job, image_, pattern_);
   if (job.frames.empty()) return;
@@ -133,11 +130,11 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   result.frame = frame;
   result.path = path(frame);
   result.status = FrameResult::Status::kept;
-  const std::optional<ExrFrame> finished = read_finished_frame(result.path, fingerprint_);
+  const auto finished = file_.read_finished(result.path, fingerprint_, draws_pictures());
   if (!finished || finished->attributes.frame != frame) return std::nullopt;  // or another frame's, under this name
   result.hash = finished->hash;
   try {
-    draw_pictures(result, finished->frame);
+    if (finished->pixels) draw_pictures(result, *finished->pixels);
   } catch (const std::exception& error) {
     set_failed(result, error);
   }
@@ -149,15 +146,19 @@ WrittenFrame FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes
   try {
     encoders_.acquire();
     try {
-      result.hash = encode_exr(encoded, pixels, attributes, image_.compression, encoding_threads);
+      result.hash = file_.encode(encoded, pixels, attributes, encoding_threads);
     } catch (...) {
       encoders_.release();
       throw;
     }
     encoders_.release();
-    if (!draws_pictures()) pixels_done();
+    const bool shows_pixels = draws_pictures() && !file_.changes_pixels();
+    if (!shows_pixels) pixels_done();
     save(encoded, result);
-    if (draws_pictures()) draw_pictures(result, pixels);
+    if (shows_pixels)
+      draw_pictures(result, pixels);
+    else if (draws_pictures())
+      draw_pictures(result, file_.decode(encoded));  // as of a frame that is kept or copied
     if (!job_.reuse_equal_frames) return {};
     return {result.frame, encoded.size(), text_hash({encoded.data(), encoded.size()})};
   } catch (const std::exception& error) {
@@ -169,9 +170,9 @@ WrittenFrame FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes
 bool FrameOutput::copy(const WrittenFrame& source, const FrameAttributes& attributes, FrameResult& result) {
   if (!read_unchanged(path(source.frame), source, read_back)) return false;
   try {
-    result.hash = relabel_exr(encoded, read_back, attributes);
+    result.hash = file_.relabel(encoded, read_back, attributes);
     save(encoded, result);
-    if (draws_pictures()) draw_pictures(result, decode_exr(encoded).frame);
+    if (draws_pictures()) draw_pictures(result, file_.decode(encoded));
   } catch (const std::exception& error) {
     set_failed(result, error);
   }
@@ -180,7 +181,7 @@ bool FrameOutput::copy(const WrittenFrame& source, const FrameAttributes& attrib
 
 void FrameOutput::save(std::span<const char> file, const FrameResult& result) const {
   write_file_atomically(result.path, file);
-  if (job_.verify) verify_exr(result.path, result.hash);
+  if (job_.verify) file_.verify(result.path, result.hash);
 }
 
 void FrameOutput::find_lost(std::vector<FrameResult>& frames) const {

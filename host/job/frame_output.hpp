@@ -1,4 +1,4 @@
-// Where the frames of a job go: the EXR sequence, and the pictures that were asked for.
+// Where the frames of a job go: the sequence of files, and the pictures that were asked for.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "host/image/contact_sheet.hpp"
 #include "host/job/equal_frames.hpp"
+#include "host/job/frame_file.hpp"
 #include "host/job/frame_pattern.hpp"
 #include "morphcl/exr.hpp"
 #include "morphcl/job.hpp"
@@ -59,6 +60,7 @@ class FrameOutput {
   const std::string fingerprint_;
   const ImageSettings& image_;
   const FramePattern pattern_;
+  const FrameFile file_;
   std::counting_semaphore<> encoders_;
   std::unique_ptr<ContactSheet> sheet_;
 };

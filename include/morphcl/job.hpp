@@ -25,10 +25,18 @@ struct FrameResult {
   double milliseconds = 0;  // drawing alone; 0 unless it was rendered
 };
 
+enum class FrameFormat { exr, png };
+
+// What the pattern's ending asks for: .exr or .png, in any case. Error(usage) for another ending or none says what can
+// be done instead.
+FrameFormat frame_format(const std::string& pattern);
+
 struct RenderJob {
   // A path whose file name holds at most one place for the frame number: a run of two or more '#' is that many digits,
   // a lone '#' is four, %0Nd is N digits (N at most 20), %d is as many as needed. Shorter numbers get zeros in front,
-  // longer ones are not cut; a minus sign comes before the digits. In folders '#' and '%' are no places.
+  // longer ones are not cut; a minus sign comes before the digits. In folders '#' and '%' are no places. It ends in
+  // .exr for EXR files with the scene's channels and compression, or in .png for PNG files (png.hpp). Those hold RGBA
+  // alone: Z is left out (where the scene has it, it is drawn all the same), compression and previews are not theirs.
   std::string pattern;
   std::vector<std::int64_t> frames = {};  // each once, which is not tested; empty: those of the scene
   bool resume = false;                    // keep the finished frames of the same fingerprint
@@ -42,6 +50,7 @@ struct RenderJob {
   // large frames fewer, so that drawing does not wait for each flush. Where a container, ulimit -v or the machine
   // leaves less memory than that takes, there are fewer of both; Error(no_device) where there is not enough for one.
   int frames_in_flight = 0;
+  int sample_bits = 8;             // of a sample of PNG frames: 8 or 16
   PlanOptions plan = {};           // what is left out of frames; their pixels are the same
   std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
   bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
@@ -60,12 +69,12 @@ struct JobResult {
 };
 
 // Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a scene that is not
-// valid, a pattern without a number although several frames are asked for, a pattern that is none, an unknown
-// compression, pictures of a scene without colour, or an output that is one of the scene's inputs or another output;
-// Error(cannot_create) when the output cannot be created. Thrown
-// after the frames: the Error of the contact sheet. What on_frame throws stops the job, without a contact sheet, and is
-// thrown when the frames under way are written. Temporary files that killed jobs of the same pattern left are removed.
-// The renderer forgets (Renderer::forget) before and after.
+// valid, a pattern without a number although several frames are asked for, a pattern that is none or has another
+// ending, an unknown compression, other PNG bits than 8 and 16, PNG frames or pictures of a scene without colour,
+// previews of PNG frames, or an output that is one of the scene's inputs or another output; Error(cannot_create) when
+// the output cannot be created. Thrown after the frames: the Error of the contact sheet. What on_frame throws stops the
+// job, without a contact sheet, and is thrown when the frames under way are written. Temporary files that killed jobs of
+// the same pattern left are removed. The renderer forgets (Renderer::forget) before and after.
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's

@@ -80,8 +80,7 @@ TEST(RenderJob, ANameThatIsTooLongIsFoundBeforeAnythingIsDrawn) {
   EXPECT_EQ(kind_of_failure(job_of(folder / (long_name + ".####.exr"), {1})), ErrorKind::cannot_create);
   EXPECT_EQ(kind_of_failure(job_of(folder / (long_name.substr(1) + ".####.exr"), {1, 10000})),
             ErrorKind::cannot_create);
-  RenderJob job = job_of(folder / (long_name.substr(2) + ".####.e"), {1});
-  job.preview = true;
+  RenderJob job = job_of(folder / (long_name.substr(1) + ".####.png"), {1, 10000});
   EXPECT_EQ(kind_of_failure(job), ErrorKind::cannot_create);
   job = job_of(folder / "a.####.exr", {1});
   job.contact_sheet = folder / (long_name + "123456789.png");
@@ -92,13 +91,14 @@ TEST(RenderJob, ANameThatIsTooLongIsFoundBeforeAnythingIsDrawn) {
 TEST(RenderJob, AnOutputThatIsAnInputOrAnotherOutputIsRefused) {
   const TemporaryFolder folder;
   Scene scene = empty_scene();
-  scene.inputs = {folder.write("shot.toml", "shot"), folder.write("model.0002.obj", "model")};
+  scene.inputs = {folder.write("shot.toml", "shot"), folder.write("sky.exr", "sky"),
+                  folder.write("skin.0002.png", "skin")};
   std::filesystem::create_directory_symlink(folder.path(), folder / "link");
-  std::filesystem::create_symlink("shot.toml", folder / "other.toml");
-  const std::string detour = "link/../" + folder.path().filename().string() + "/shot.toml";
-  for (const std::string& pattern : {std::string("shot.toml"), std::string("link/shot.toml"), detour})
+  std::filesystem::create_symlink("sky.exr", folder / "other.exr");
+  const std::string detour = "link/../" + folder.path().filename().string() + "/sky.exr";
+  for (const std::string& pattern : {std::string("sky.exr"), std::string("link/sky.exr"), detour})
     EXPECT_EQ(kind_of_failure(job_of(folder / pattern, {1}), scene), ErrorKind::usage) << pattern;
-  EXPECT_EQ(kind_of_failure(job_of(folder / "model.####.obj", {1, 2, 3}), scene), ErrorKind::usage);
+  EXPECT_EQ(kind_of_failure(job_of(folder / "skin.####.png", {1, 2, 3}), scene), ErrorKind::usage);
   RenderJob job = job_of(folder / "a.####.exr", {1, 2});
   for (const std::string sheet : {"shot.toml", "a.0002.exr", "link/a.0001.exr"}) {
     job.contact_sheet = folder / sheet;
@@ -107,8 +107,9 @@ TEST(RenderJob, AnOutputThatIsAnInputOrAnotherOutputIsRefused) {
   job.preview = true;
   job.contact_sheet = folder / "a.0002.png";
   EXPECT_EQ(kind_of_failure(job, scene), ErrorKind::usage);
-  scene.inputs = {folder / "other.toml"};  // leads to shot.toml
-  EXPECT_EQ(kind_of_failure(job_of(folder / "shot.toml", {1}), scene), ErrorKind::usage);
+  scene.inputs = {folder / "other.exr"};  // leads to sky.exr
+  EXPECT_EQ(kind_of_failure(job_of(folder / "sky.exr", {1}), scene), ErrorKind::usage);
+  EXPECT_EQ(test_support::text_of(folder / "sky.exr"), "sky");
   EXPECT_EQ(test_support::text_of(folder / "shot.toml"), "shot");
 }
 

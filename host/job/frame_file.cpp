@@ -1,0 +1,68 @@
+#include "host/job/frame_file.hpp"
+
+#include <utility>
+
+#include "host/image/exr_encode.hpp"
+#include "host/image/exr_relabel.hpp"
+#include "host/image/png_encode.hpp"
+#include "morphcl/error.hpp"
+
+namespace morphcl {
+
+FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
+    : format_(frame_format(job.pattern)), compression_(image.compression), sample_bits_(job.sample_bits) {
+  check_compression(compression_);
+  check_png_bits(sample_bits_);
+  if (format_ == FrameFormat::exr && sample_bits_ != 8)
+    throw Error(ErrorKind::usage, "", "PNG bits for EXR frames; end the output in .png, or leave them at 8");
+  if (format_ == FrameFormat::exr) return;
+  if (!image.color)
+    throw Error(
+        ErrorKind::usage, "",
+        "PNG frames hold RGBA alone, and this job has no RGBA; add it to the channels, or end the output in .exr");
+  if (job.preview)
+    throw Error(ErrorKind::usage, "",
+                "previews are PNG files beside EXR frames, and these frames are PNG files already");
+}
+
+std::string FrameFile::encode(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes,
+                              int threads) const {
+  return format_ == FrameFormat::exr ? encode_exr(bytes, frame, attributes, compression_, threads)
+                                     : encode_png(bytes, frame, attributes, sample_bits_, threads);
+}
+
+std::string FrameFile::relabel(std::vector<char>& bytes, std::span<const char> source,
+                               const FrameAttributes& attributes) const {
+  return format_ == FrameFormat::exr ? relabel_exr(bytes, source, attributes) : relabel_png(bytes, source, attributes);
+}
+
+FrameBuffer FrameFile::decode(std::span<const char> bytes) const {
+  return format_ == FrameFormat::exr ? decode_exr(bytes).frame : decode_png(bytes).frame;
+}
+
+void FrameFile::verify(const std::string& path, const std::string& hash) const {
+  if (format_ == FrameFormat::exr)
+    verify_exr(path, hash);
+  else
+    verify_png(path, hash);
+}
+
+std::optional<FrameFile::Finished> FrameFile::read_finished(const std::string& path, const std::string& fingerprint,
+                                                            bool with_pixels) const {
+  if (format_ == FrameFormat::exr) {
+    std::optional<ExrFrame> found = read_finished_frame(path, fingerprint);
+    if (!found) return std::nullopt;
+    return Finished{found->hash, found->attributes, std::move(found->frame)};
+  }
+  std::optional<PngDescription> found = finished_png(path, fingerprint, sample_bits_);
+  if (!found) return std::nullopt;
+  Finished finished{found->hash, found->attributes, std::nullopt};
+  try {
+    if (with_pixels) finished.pixels = read_png(path).frame;
+  } catch (const Error&) {
+    return std::nullopt;  // it has gone meanwhile
+  }
+  return finished;
+}
+
+}  // namespace morphcl
