@@ -30,6 +30,7 @@ const char* const examples = R"(Examples:
   morphcl render demos/pyramid_to_cube.toml -o out/cube.####.exr
   morphcl render shot.toml --frames 1-100x2 --size 1280x720 --resume
   morphcl render face.glb --frames 0 --device reference --preview
+  morphcl render shot.toml -o film.####.png --png-bits 16
   morphcl plan shot.toml --frame 57
   morphcl compare shot.toml --frames 0-100x10 --out error
   morphcl info out/cube.0057.exr
@@ -106,18 +107,24 @@ void add_plan_option(CLI::App& command, bool& leave_out) {
 }
 
 void add_render(CLI::App& app, RenderOptions& options, Action& action) {
-  CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR files");
+  CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR or PNG files");
   add_scene_options(command, options.scene);
   command
-      .add_option("-o,--output", options.pattern,
-                  "File names: #### or %04d is the frame number; default: NAME.####.exr in this folder")
+      .add_option(
+          "-o,--output", options.pattern,
+          "File names: #### or %04d is the frame number; .exr, or .png for sRGB with straight alpha and without "
+          "Z; default: NAME.####.exr in this folder")
       ->type_name("PATTERN")
       ->group("Output");
   command
       .add_option("--compression", options.scene.compression,
-                  "none, rle, zips, zip (fast), zip:small, piz; lossy: pxr24, b44, b44a, dwaa, dwab; default: the "
+                  "Of EXR frames: none, rle, zips, zip (fast), zip:small, piz; lossy: pxr24, b44, b44a, dwaa, dwab; "
+                  "default: the "
                   "shot's, zip for a model")
       ->type_name("NAME")
+      ->group("Image");
+  command.add_option("--png-bits", options.png_bits, "Of a sample of PNG frames: 8 or 16; default: 8")
+      ->type_name("N")
       ->group("Image");
   command.add_option("--frames", options.frames, "7, 1-10, 1-10x2, commas between; default: the shot's range")
       ->type_name("RANGE")
@@ -125,7 +132,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   command.add_option("--contact-sheet", options.contact_sheet, "One picture of all frames")
       ->type_name("FILE.png")
       ->group("Output");
-  command.add_flag("--preview", options.preview, "A PNG in sRGB beside each frame")->group("Output");
+  command.add_flag("--preview", options.preview, "A PNG in sRGB beside each EXR frame, over grey")->group("Output");
   command.add_flag("--resume", options.resume, "Keep frames of the same shot and settings that are whole")
       ->group("Output");
   command.add_flag("--verify", options.verify, "Read every frame back and compare its pixels")->group("Output");
@@ -184,8 +191,8 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
 }
 
 void add_info(CLI::App& app, InfoOptions& options, Action& action) {
-  CLI::App& command = *app.add_subcommand("info", "Show what a shot, a model or an EXR image holds");
-  command.add_option("FILE", options.scene.path, ".toml, .gltf, .glb, .obj or .exr")->required();
+  CLI::App& command = *app.add_subcommand("info", "Show what a shot, a model, an EXR or a PNG image holds");
+  command.add_option("FILE", options.scene.path, ".toml, .gltf, .glb, .obj, .exr or .png")->required();
   add_model_options(command, options.scene);
   add_json_flag(command, options.json);
   command.callback([&] { action = [&] { return info_command(options); }; });

@@ -53,10 +53,13 @@ void print_image_info(const std::string& path, bool json) {
     print_json(path, header, image);
   else
     print_table(header, image);
-  if (!image.stored_hash.empty() && image.stored_hash != image.hash)
+  require_stored_hash(path, image.stored_hash, image.hash);
+}
+
+void require_stored_hash(const std::string& path, const std::string& stored, const std::string& hash) {
+  if (!stored.empty() && stored != hash)
     throw Error(ErrorKind::bad_input, path,
-                fmt::format("the pixels were changed: their hash is {}, the file was written with {}", image.hash,
-                            image.stored_hash));
+                fmt::format("the pixels were changed: their hash is {}, the file was written with {}", hash, stored));
 }
 
 }  // namespace morphcl::cli

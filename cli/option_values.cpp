@@ -47,6 +47,12 @@ std::uint64_t parse_seed(const std::string& text) {
   throw Error(ErrorKind::usage, "--seed", fmt::format("'{}' is no seed; a whole number from 0 to {}", text, max_seed));
 }
 
+int parse_png_bits(const std::string& text) {
+  if (text == "8") return 8;
+  if (text == "16") return 16;
+  throw Error(ErrorKind::usage, "--png-bits", fmt::format("'{}' bits a sample; 8 or 16 are possible", text));
+}
+
 TimeBase parse_fps(const std::string& text) {
   const std::string_view view = text;
   const std::size_t slash = view.find('/');

@@ -6,6 +6,7 @@
 
 #include "cli/console.hpp"
 #include "cli/frames_in_work.hpp"
+#include "cli/option_values.hpp"
 #include "cli/render_report.hpp"
 #include "cli/stop_signals.hpp"
 #include "morphcl/error.hpp"
@@ -20,6 +21,22 @@ std::future<void> start_storing_programs(const OpenedRenderer& opened) {
   return std::async(std::launch::async | std::launch::deferred, [&opened] { opened.store_programs(); });
 }
 
+// What does not go with the frames' format is refused, whatever the scene has.
+void check_options_of_format(const RenderOptions& options, FrameFormat format) {
+  const auto refuse = [](const char* option, const char* message) { throw Error(ErrorKind::usage, option, message); };
+  if (format == FrameFormat::exr) {
+    if (options.png_bits) refuse("--png-bits", "is of PNG frames, and these are EXR frames; end the output in .png");
+    return;
+  }
+  if (options.scene.compression)
+    refuse("--compression", "is of EXR frames, and these are PNG frames, which lose nothing by theirs; leave it out");
+  if (options.preview) refuse("--preview", "is a PNG beside each EXR frame, and these are PNG frames; leave it out");
+  ImageSettings asked;
+  if (options.scene.channels) set_channels(*options.scene.channels, asked);
+  if (options.scene.channels && asked.depth)
+    refuse("--channels", "PNG frames hold RGBA alone; --channels RGBA, or an output that ends in .exr");
+}
+
 }  // namespace
 
 int render_command(const RenderOptions& options) {
@@ -31,14 +48,20 @@ int render_command(const RenderOptions& options) {
   std::optional<std::vector<FrameRange>>
       ranges;  // read first, so that a wrong one is reported before a large file is read
   if (options.frames) ranges = parse_frame_range(*options.frames);
+  const FrameFormat format = options.pattern ? frame_format(*options.pattern) : FrameFormat::exr;
+  check_options_of_format(options, format);
+  const int png_bits = options.png_bits ? parse_png_bits(*options.png_bits) : 8;
 
   Scene scene = open_scene(options.scene);
+  // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
+  if (format == FrameFormat::png && scene.image.color) scene.image.depth = false;
   if (ranges) scene.frames = *ranges;
   print_warnings(scene);
 
   RenderJob job;
   job.pattern = options.pattern.value_or(scene.name + ".####.exr");
   job.frames = frame_numbers(scene.frames);
+  job.sample_bits = png_bits;
   job.resume = options.resume;
   job.verify = options.verify;
   job.plan.leave_out = options.leave_out;

@@ -1,4 +1,4 @@
-// morphcl render: frames of a shot or model into EXR files.
+// morphcl render: frames of a shot or model into EXR or PNG files.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,11 @@ namespace morphcl::cli {
 struct RenderOptions {
   SceneOptions scene;
   DeviceOptions device;
-  std::optional<std::string> pattern;  // absent: NAME.####.exr
-  std::optional<std::string> frames;   // absent: the shot's range
-  std::string contact_sheet;           // PNG of all frames; "" none
-  bool preview = false;                // a PNG beside each frame
+  std::optional<std::string> pattern;   // absent: NAME.####.exr
+  std::optional<std::string> png_bits;  // "8", "16"; absent: 8
+  std::optional<std::string> frames;    // absent: the shot's range
+  std::string contact_sheet;            // PNG of all frames; "" none
+  bool preview = false;                 // a PNG beside each frame
   bool resume = false;
   bool verify = false;
   // False: nothing is left out of the frames' plans and no frame is copied from an equal one; the pixels are the same.

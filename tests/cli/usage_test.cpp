@@ -45,6 +45,14 @@ TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--cha
 TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
 TEST_F(Usage, PatternWithoutNumber) { expect_usage_error({"-o", "out.exr"}, "out.exr"); }
 TEST_F(Usage, PatternWithTwoNumbers) { expect_usage_error({"-o", "a.####.%04d.exr"}, "a.####.%04d.exr"); }
+TEST_F(Usage, PatternOfAVideo) { expect_usage_error({"-o", "out.mp4"}, "ffmpeg"); }
+TEST_F(Usage, PatternOfAnotherPicture) { expect_usage_error({"-o", "a.####.jpg"}, "'a.####.png'"); }
+TEST_F(Usage, PatternWithoutEnding) { expect_usage_error({"-o", "a.####"}, "'a.####.exr'"); }
+TEST_F(Usage, PngBitsOfNoPng) { expect_usage_error({"-o", "a.#.png", "--png-bits", "12"}, "8 or 16"); }
+TEST_F(Usage, PngBitsOfExr) { expect_usage_error({"--png-bits", "16"}, "--png-bits: "); }
+TEST_F(Usage, PngWithDepth) { expect_usage_error({"-o", "a.#.png", "--channels", "RGBA,Z"}, "--channels RGBA"); }
+TEST_F(Usage, PngWithCompression) { expect_usage_error({"-o", "a.#.png", "--compression", "zip"}, "--compression: "); }
+TEST_F(Usage, PngWithPreview) { expect_usage_error({"-o", "a.#.png", "--preview"}, "--preview: "); }
 TEST_F(Usage, ControlCharactersStayOnOneLine) { expect_usage_error({"--size", "1\n2\033[31m"}, "--size"); }
 
 TEST(Help, IsOnStdoutWithCodeZero) {
@@ -65,7 +73,7 @@ TEST(Help, OfRenderNamesEveryOptionOfTheContractWithItsGroup) {
   const std::string help = run_tool({"render", "--help"}).out;
   for (const char* option :
        {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads", "--resume",
-        "--verify", "--json", "--quiet", "--contact-sheet", "--preview", "--fps", "--allow-outside"})
+        "--png-bits", "--verify", "--json", "--quiet", "--contact-sheet", "--preview", "--fps", "--allow-outside"})
     EXPECT_THAT(help, HasSubstr(option));
   for (const char* group : {"Image:", "Time:", "Output:", "Device:", "Report:", "Input:"})
     EXPECT_THAT(help, HasSubstr(group));
