@@ -14,7 +14,7 @@ inline constexpr std::size_t png_longest_chunk = 0x7fffffff;
 
 // Keys of the texts that say what a frame's file is of.
 inline constexpr std::string_view frame_text = "morphclFrame", fingerprint_text = "morphclFingerprint",
-                                  pixel_hash_text = "pixelHash";
+                                  deviation_text = "morphclDeviation", pixel_hash_text = "pixelHash";
 
 void append_big_endian(std::vector<char>& bytes, std::uint32_t value);
 // The number in the first four bytes.

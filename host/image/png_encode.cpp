@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <memory>
-#include <system_error>
 #include <thread>
 
 #include "host/image/png_chunks.hpp"
 #include "host/image/png_pixel_hash.hpp"
 #include "host/image/png_stripes.hpp"
+#include "host/threads.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -62,12 +63,7 @@ std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int
     }
   };
   std::vector<std::jthread> workers;
-  int started = 0;
-  try {
-    for (; started < threads; ++started) workers.emplace_back(encode_run, started);
-  } catch (const std::system_error&) {
-    // The system starts no more: what is left is done here.
-  }
+  const int started = start_threads(workers, threads, encode_run);
   PngStripes& stripes = stripes_of_this_thread(frame, bits);
   for (int i = 0; i < stripe_count; ++i) hasher.add(stripes.convert(i * png_stripe_lines));
   for (int i = started; i < threads; ++i) encode_run(i);
@@ -77,12 +73,18 @@ std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int
   return runs;
 }
 
+bool is_printable_ascii(char c) { return c >= ' ' && c <= '~'; }
+
 void append_texts(std::vector<char>& bytes, const FrameAttributes& attributes, const std::string& hash) {
-  const auto printable_ascii = [](char c) { return c >= ' ' && c <= '~'; };
-  if (!std::all_of(attributes.fingerprint.begin(), attributes.fingerprint.end(), printable_ascii))
+  if (!std::all_of(attributes.fingerprint.begin(), attributes.fingerprint.end(), is_printable_ascii))
     throw Error(ErrorKind::usage, "", "a fingerprint of other characters than printable ASCII");
   append_text_chunk(bytes, frame_text, std::to_string(attributes.frame));
   append_text_chunk(bytes, fingerprint_text, attributes.fingerprint);
+  if (!attributes.deviation.empty()) {
+    std::string deviation = attributes.deviation;  // a device names itself as it likes
+    std::replace_if(deviation.begin(), deviation.end(), std::not_fn(is_printable_ascii), '?');
+    append_text_chunk(bytes, deviation_text, deviation);
+  }
   append_text_chunk(bytes, pixel_hash_text, hash);
 }
 

@@ -182,6 +182,7 @@ class PngFile {
     if (std::from_chars(number.data(), number.data() + number.size(), frame).ec == std::errc())
       picture_.attributes.frame = frame;
     picture_.attributes.fingerprint = text_of_key(picture_, fingerprint_text);
+    picture_.attributes.deviation = text_of_key(picture_, deviation_text);
     picture_.stored_hash = text_of_key(picture_, pixel_hash_text);
   }
 

@@ -15,9 +15,10 @@
 
 namespace [[gnu::visibility("default")]] morphcl {
 
-// Writes as write_exr does, with its errors. Of the attributes the frame number and the fingerprint are stored, in text
-// chunks. Returns the pixel hash that the file holds. Error(usage) for other bits than 8 and 16, a frame without
-// colour, or a fingerprint of other characters than printable ASCII.
+// Writes as write_exr does, with its errors. Of the attributes the frame number, the fingerprint and the deviation are
+// stored, in text chunks; of the last, other characters than printable ASCII as '?'. Returns the pixel hash that the
+// file holds. Error(usage) for other bits than 8 and 16, a frame without colour, or a fingerprint of other characters
+// than printable ASCII.
 //
 // The hash is xxh3-128, seed 0, 32 hex digits of its canonical form, over: width, height and bits, three 32-bit
 // integers, little-endian; the samples R, G, B, A, row by row from the top, those of 16 bits with the high byte first,
@@ -37,9 +38,10 @@ struct PngDescription {
   std::string color;                   // grey, RGB, palette, grey and alpha, RGBA
   bool interlaced = false;
   std::vector<PngText> texts;  // in the file's order
-  FrameAttributes attributes;  // frame number and fingerprint; the defaults for the rest, and where the file has none
-  std::string stored_hash;     // empty in a file that is not morphcl's
-  std::string hash;            // of the pixels as decoded; empty where read_png() refuses them for what they are
+  FrameAttributes
+      attributes;           // frame number, fingerprint, deviation; the defaults for the rest and for what is missing
+  std::string stored_hash;  // empty in a file that is not morphcl's
+  std::string hash;         // of the pixels as decoded; empty where read_png() refuses them for what they are
 };
 
 // Of any PNG file, checked to its end; the pixels of those that have a hash are decoded, a few rows at a time.

@@ -179,6 +179,15 @@ TEST(PngFrames, TextsSayWhatTheFileIsOf) {
   EXPECT_EQ(read.color, "RGBA");
 }
 
+TEST(PngFrames, ADeviationIsOneOfTheTexts) {
+  FrameAttributes attributes = attributes_of_job();
+  attributes.deviation = "Card\xc2\xb2\n: a*b+c";
+  std::vector<char> bytes;
+  encode_png(bytes, disc_frame(20, 17), attributes, 8, 1);
+  EXPECT_EQ(picture_of_libpng(bytes).texts.size(), 4u);
+  EXPECT_EQ(decode_png(bytes).description.attributes.deviation, "Card???: a*b+c");
+}
+
 // The hash is a contract: other programs compute it.
 TEST(PngFrames, HashesAreKnown) {
   FrameBuffer frame(2, 1, true, false);

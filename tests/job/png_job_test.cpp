@@ -63,6 +63,19 @@ TEST(PngJobs, ResumeRendersExactlyWhatIsMissingOrDamaged) {
   EXPECT_EQ(frames_of(run(job, empty_scene(), third), Status::rendered), range(0, 7)) << "those have 8 bits";
 }
 
+TEST(PngJobs, ResumeLooksAtTheFramesNumber) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.##.png", {1, 2, 3});
+  FakeRenderer first, second;
+  run(job, empty_scene(), first);
+  std::filesystem::copy_file(folder / "a.01.png", folder / "a.03.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  job.resume = true;
+  const JobResult result = run(job, empty_scene(), second);
+  EXPECT_EQ(second.rendered, std::vector<std::int64_t>{3});
+  for (const FrameResult& frame : result.frames) expect_whole_png(frame, 8);
+}
+
 TEST(PngJobs, FramesWithTheSamePictureAreCopied) {
   const TemporaryFolder folder;
   FakeRenderer renderer;
