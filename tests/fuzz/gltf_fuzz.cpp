@@ -1,0 +1,8 @@
+// glTF models, JSON or binary.
+#include "tests/fuzz/fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace morphcl::fuzz;
+  load_and_plan(folder().write("model.gltf", text_of(data, size)));
+  return 0;
+}
