@@ -85,8 +85,7 @@ void install_handlers(const sigset_t& set) {
 
 [[noreturn]] void end_after_abort() {
   print_message(
-      "ended by abort(), which the OpenCL driver calls where it cannot write or start what it needs; what it says of "
-      "that "
+      "ended by abort(), which the OpenCL driver calls where it cannot write or start what it needs; what it says "
       "stands above; `--device reference` needs no driver");
   end_process(static_cast<int>(ErrorKind::no_device));
 }

@@ -141,8 +141,8 @@ struct Rgb {
 //
 // Without a background alpha is straight, as PNG has it: colour is divided by alpha before it is encoded, and is 0
 // where alpha is 0. Each code is correctly rounded, halfway values up: these are the pixels of PNG frames (png.hpp).
-// With a background the frame is put over it in linear light, and alpha is 255. Values are clamped to 0..1, alpha before
-// it is used; NaN is 0.
+// With a background the frame is put over it in linear light, and alpha is 255. Values are clamped to 0..1, alpha
+// before it is used; NaN is 0.
 std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> background = std::nullopt);
 
 }  // namespace morphcl

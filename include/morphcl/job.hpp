@@ -73,8 +73,8 @@ struct JobResult {
 // ending, an unknown compression, other PNG bits than 8 and 16, PNG frames or pictures of a scene without colour,
 // previews of PNG frames, or an output that is one of the scene's inputs or another output; Error(cannot_create) when
 // the output cannot be created. Thrown after the frames: the Error of the contact sheet. What on_frame throws stops the
-// job, without a contact sheet, and is thrown when the frames under way are written. Temporary files that killed jobs of
-// the same pattern left are removed. The renderer forgets (Renderer::forget) before and after.
+// job, without a contact sheet, and is thrown when the frames under way are written. Temporary files that killed jobs
+// of the same pattern left are removed. The renderer forgets (Renderer::forget) before and after.
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's
