@@ -306,7 +306,7 @@ Scene triangle_soup(unsigned seed, int triangles, int w, int h) {
   return b.look({0.1, 0.2, 0.9}).scene();
 }
 
-std::vector<TestScene> test_scenes(int w, int h) {
+std::vector<TestScene> test_scenes(int w, int h, int more_soup) {
   std::vector<TestScene> scenes = {
       {"pyramid to cube", pyramid_to_cube(w, h), {0, 1, 37, 50, 99, 100}},
       {"sphere to cube", sphere_to_cube(w, h), {0}},
@@ -333,7 +333,7 @@ std::vector<TestScene> test_scenes(int w, int h) {
       {"nothing", SceneBuilder(w, h).scene(), {0}},
   };
   for (const unsigned seed : {1u, 2u, 3u, 4u, 7u})
-    scenes.push_back({"soup " + std::to_string(seed), triangle_soup(seed, 3000, w, h), {0}});
+    scenes.push_back({"soup " + std::to_string(seed), triangle_soup(seed, seed == 1 ? 3000 : more_soup, w, h), {0}});
   return scenes;
 }
 

@@ -14,8 +14,9 @@ struct TestScene {
   std::vector<std::int64_t> frames;
 };
 
-// Each named after what it is there for. All of them are drawn at `width` x `height`.
-std::vector<TestScene> test_scenes(int width, int height);
+// Each named after what it is there for. All of them are drawn at `width` x `height`. The first soup has 3000
+// triangles, the others have `more_soup`.
+std::vector<TestScene> test_scenes(int width, int height, int more_soup = 3000);
 
 // Triangles of all sizes and directions around a camera, many of them behind it, across the near plane and far outside.
 Scene triangle_soup(unsigned seed, int triangles, int width, int height);
