@@ -4,6 +4,7 @@
 #include <ImfPixelType.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -21,6 +22,37 @@ constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 
 constexpr std::size_t longest_name = 255;
 constexpr int max_channels = 1024;
 constexpr std::uint64_t table_entry_bytes = 8;
+
+// The types whose values OpenEXR reads without a look at the attribute's size; after another one it would go on at a
+// place where no attribute begins, and take what stands there for sizes.
+struct FixedType {
+  std::string_view name;
+  int bytes;
+};
+constexpr std::array<FixedType, 24> fixed_types{{{"box2f", 16},
+                                                 {"box2i", 16},
+                                                 {"chromaticities", 32},
+                                                 {"compression", 1},
+                                                 {"deepImageState", 1},
+                                                 {"double", 8},
+                                                 {"envmap", 1},
+                                                 {"float", 4},
+                                                 {"int", 4},
+                                                 {"keycode", 28},
+                                                 {"lineOrder", 1},
+                                                 {"m33d", 72},
+                                                 {"m33f", 36},
+                                                 {"m44d", 128},
+                                                 {"m44f", 64},
+                                                 {"rational", 8},
+                                                 {"tiledesc", 9},
+                                                 {"timecode", 8},
+                                                 {"v2d", 16},
+                                                 {"v2f", 8},
+                                                 {"v2i", 8},
+                                                 {"v3d", 24},
+                                                 {"v3f", 12},
+                                                 {"v3i", 12}}};
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
 
@@ -115,6 +147,16 @@ void check_channels(HeaderBytes& header, std::uint64_t end, Part& part) {
       part.pixel_bytes += header.word() == Imf::HALF ? 2 : 4;
     header.skip_to(after);
   }
+  if (header.position() != end) refuse("the channel list is shorter than its attribute");
+}
+
+void check_type(const std::string& name, std::string_view type, std::int64_t size) {
+  const auto* const fixed =
+      std::find_if(fixed_types.begin(), fixed_types.end(), [type](const FixedType& one) { return one.name == type; });
+  if (fixed != fixed_types.end() && size != fixed->bytes)
+    refuse(fmt::format("attribute '{}' of {} bytes; its type, {}, has {}", name, size, type, fixed->bytes));
+  if (type == "floatvector" && size % static_cast<int>(sizeof(float)) != 0)
+    refuse(fmt::format("attribute '{}' of {} bytes holds no whole number of floats", name, size));
 }
 
 // A reader makes room for all pixels at once.
@@ -133,9 +175,13 @@ bool check_attribute(HeaderBytes& header, Part& part) {
   const std::int64_t size = header.signed_word();
   if (size < 0 || static_cast<std::uint64_t>(size) > header.left())
     refuse(fmt::format("attribute '{}' of {} bytes is longer than the file", name, size));
+  check_type(name, type, size);
   const std::uint64_t end = header.position() + static_cast<std::uint64_t>(size);
   if (name == "dataWindow" && size == 16) check_data_window(header, part);
-  if (name == "channels") check_channels(header, end, part);
+  if (type == "chlist") {
+    Part other;  // only those of this name are the file's channels
+    check_channels(header, end, name == "channels" ? part : other);
+  }
   if (name == "compression" && size == 1) {
     const int compression = header.byte();
     part.lines_a_chunk = lines_per_chunk(compression);

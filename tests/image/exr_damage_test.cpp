@@ -1,12 +1,20 @@
 // Files that are cut, changed or hostile: found, refused in one line, without taking memory for what is not there.
+#include <ImfAttribute.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
+#include <half.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "host/image/exr_encode.hpp"
+#include "host/image/exr_stream.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/image/test_frames.hpp"
@@ -53,14 +61,19 @@ ErrorKind kind_of_failure(const std::vector<char>& bytes) {
   return kind_of_failure(folder / "a.exr");
 }
 
-// Replaces the 32-bit number `offset` bytes into the value of the attribute; at -4 is its length.
-std::vector<char> with_number(std::vector<char> bytes, const std::string& name, std::ptrdiff_t offset,
-                              std::int32_t value) {
+// The value of the attribute; its length, 4 bytes, stands before it.
+std::size_t place_of_value(const std::vector<char>& bytes, const std::string& name) {
   const std::string key = name + '\0';
   const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
   if (at == bytes.end()) throw std::logic_error("no attribute " + name);
   const auto type_end = std::find(at + static_cast<std::ptrdiff_t>(key.size()), bytes.end(), '\0');
-  std::memcpy(&*type_end + 1 + 4 + offset, &value, sizeof value);
+  return static_cast<std::size_t>(type_end - bytes.begin()) + 1 + 4;
+}
+
+// Replaces the 32-bit number `offset` bytes into the value of the attribute; at -4 is its length.
+std::vector<char> with_number(std::vector<char> bytes, const std::string& name, std::ptrdiff_t offset,
+                              std::int32_t value) {
+  std::memcpy(bytes.data() + place_of_value(bytes, name) + offset, &value, sizeof value);
   return bytes;
 }
 
@@ -216,6 +229,54 @@ TEST(DamagedExr, AttributeLongerThanTheFileIsRefusedByName) {
         EXPECT_EQ(error.message(),
                   "attribute '" + name + "' of " + std::to_string(size) + " bytes is longer than the file");
       }
+}
+
+// As OpenEXR itself writes them. What it does not read by the attribute's size must have the size that it reads:
+// otherwise it goes on in the middle of a value, and takes gigabytes for what it finds there.
+TEST(DamagedExr, AttributesHaveTheSizesOfTheirTypes) {
+  for (const std::string type : {"box2f",        "box2i",
+                                 "chlist",       "chromaticities",
+                                 "compression",  "deepImageState",
+                                 "double",       "envmap",
+                                 "float",        "floatvector",
+                                 "int",          "keycode",
+                                 "lineOrder",    "m33d",
+                                 "m33f",         "m44d",
+                                 "m44f",         "preview",
+                                 "rational",     "string",
+                                 "stringvector", "tiledesc",
+                                 "timecode",     "v2d",
+                                 "v2f",          "v2i",
+                                 "v3d",          "v3f",
+                                 "v3i"}) {
+    Imf::Header header(4, 4);
+    header.channels().insert("R", Imf::Channel(Imf::HALF));
+    ASSERT_TRUE(Imf::Attribute::knownType(type.c_str())) << type;
+    header.insert("anAttribute", *std::unique_ptr<Imf::Attribute>(Imf::Attribute::newAttribute(type.c_str())));
+    std::vector<char> bytes;
+    std::vector<half> pixels(16);
+    {
+      MemoryOutput output(bytes);
+      Imf::OutputFile file(output, header);
+      Imf::FrameBuffer planes;
+      planes.insert("R", Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data()), 2, 8));
+      file.setFrameBuffer(planes);
+      file.writePixels(4);
+    }
+    EXPECT_NO_THROW(decode_exr(bytes)) << type;
+    if (type == "string" || type == "stringvector" || type == "preview") continue;
+    std::int32_t size = 0;
+    std::memcpy(&size, bytes.data() + place_of_value(bytes, "anAttribute") - 4, sizeof size);
+    for (const std::int32_t other : {size + 1, size + 3}) {
+      try {
+        decode_exr(with_number(bytes, "anAttribute", -4, other));
+        ADD_FAILURE() << type << " of " << other << " bytes was read";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+        EXPECT_NE(error.message().find("attribute"), std::string::npos) << error.message();
+      }
+    }
+  }
 }
 
 TEST(DamagedExr, UnknownCompressionIsRefused) {
