@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "morphcl/error.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl {
 namespace {
@@ -65,6 +68,21 @@ TEST(FrameRange, IsBounded) {
   std::string many = "0";
   for (int i = 0; i < 10'000; ++i) many += ",0-999999";
   EXPECT_NE(range_refusal(many).find("more than 10000 parts"), std::string::npos);
+}
+
+TEST(FrameNumbers, AreThoseOfAllRangesOnceAndInOrder) {
+  test_support::Random random(7);
+  for (int list = 0; list < 2000; ++list) {
+    std::vector<FrameRange> ranges;
+    std::set<std::int64_t> expected = {0};
+    ranges.push_back({.first = 0, .last = 0, .step = 1});
+    for (long long i = random.integer_in(0, 8); i > 0; --i) {
+      const std::int64_t first = random.integer_in(-30, 30);
+      ranges.push_back({.first = first, .last = first + random.integer_in(-3, 30), .step = random.integer_in(1, 4)});
+      for (std::int64_t k = first; k <= ranges.back().last; k += ranges.back().step) expected.insert(k);
+    }
+    EXPECT_EQ(frame_numbers(ranges), std::vector<std::int64_t>(expected.begin(), expected.end())) << list;
+  }
 }
 
 TEST(FrameNumbers, NeedAFrame) {
