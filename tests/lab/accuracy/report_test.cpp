@@ -87,7 +87,7 @@ const std::map<std::string, std::uint64_t> bits_of_operations = {
     {"spring", 0x7924b47d56918ae1},
     {"spring-chain", 0xd2ca153cb4e8b30a},
     {"point-in-polygon", 0x8b9519a819dd26e0},
-    {"whole-frame", 0xb91eaff72472cee1},
+    {"whole-frame", 0x450c1b8bbfd526c1},
 };
 
 // Every operation by its name, so that one that is wrong is named.
