@@ -16,7 +16,7 @@ inline constexpr std::size_t png_longest_chunk = 0x7fffffff;
 inline constexpr std::string_view frame_text = "morphclFrame", fingerprint_text = "morphclFingerprint",
                                   deviation_text = "morphclDeviation", pixel_hash_text = "pixelHash";
 
-void append_big_endian(std::vector<char>& bytes, std::uint32_t value);
+std::array<std::uint8_t, 4> big_endian_bytes(std::uint32_t value);
 // The number in the first four bytes.
 std::uint32_t big_endian(const char* bytes);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <exception>
 #include <functional>
@@ -93,20 +94,20 @@ void write_png_head(std::vector<char>& bytes, const FrameBuffer& frame, const Fr
                     const std::string& hash) {
   constexpr std::uint8_t rgba = 6, perceptual = 0;
   bytes.assign(png_signature.begin(), png_signature.end());
-  std::vector<char> header;
-  append_big_endian(header, static_cast<std::uint32_t>(frame.width()));
-  append_big_endian(header, static_cast<std::uint32_t>(frame.height()));
-  for (const int value : {bits, int{rgba}, 0, 0, 0}) header.push_back(static_cast<char>(value));
-  append_chunk(bytes, "IHDR", {reinterpret_cast<const std::uint8_t*>(header.data()), header.size()});
+  const auto width = big_endian_bytes(static_cast<std::uint32_t>(frame.width()));
+  const auto height = big_endian_bytes(static_cast<std::uint32_t>(frame.height()));
+  std::array<std::uint8_t, 13> header{};  // its last three bytes are 0: deflate, the one set of filters, not interlaced
+  std::copy(height.begin(), height.end(), std::copy(width.begin(), width.end(), header.begin()));
+  header[8] = static_cast<std::uint8_t>(bits);
+  header[9] = rgba;
+  append_chunk(bytes, "IHDR", header);
   append_chunk(bytes, "sRGB", std::array<std::uint8_t, 1>{perceptual});
   append_chunk(bytes, "gAMA", std::array<std::uint8_t, 4>{0x00, 0x00, 0xb1, 0x8f});  // 45455: what goes with sRGB
   append_texts(bytes, attributes, hash);
 }
 
 void append_end(std::vector<char>& bytes, const Adler32& checksum) {
-  std::array<std::uint8_t, 4> sum{};
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint8_t>(checksum.value >> (24 - 8 * i));
-  append_chunk(bytes, "IDAT", last_empty_block, sum);
+  append_chunk(bytes, "IDAT", last_empty_block, big_endian_bytes(checksum.value));
   append_chunk(bytes, "IEND", {});
 }
 
