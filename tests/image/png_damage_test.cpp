@@ -62,7 +62,7 @@ std::vector<std::uint8_t> data_of_chunk(const std::vector<char>& bytes, const st
 
 // With a chunk of other data, whose CRC is right, in place of the first of this type.
 std::vector<char> with_chunk(std::vector<char> bytes, const std::string& type, const std::vector<std::uint8_t>& data,
-                             std::string new_type = "") {
+                             const std::string& new_type = "") {
   const auto [at, size] = place_of_chunk(bytes, type);
   std::vector<char> chunk;
   append_chunk(chunk, new_type.empty() ? type : new_type, data);

@@ -103,7 +103,7 @@ TEST_F(GltfAnimation, AnimationsThatMoveDifferentThingsArePlayedTogether) {
 
 TEST_F(GltfAnimation, OfAnimationsThatMoveTheSameOneIsPlayed) {
   GltfBuilder file = triangle_file();
-  const auto clip = [&](const char* name, const char* path, float last, std::vector<float> value) {
+  const auto clip = [&](const char* name, const char* path, float last, const std::vector<float>& value) {
     file.animation(0, path, file.floats({last}, "SCALAR"), file.floats(value, "VEC3"));
     file.json["animations"].back()["name"] = name;
   };
