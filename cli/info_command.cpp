@@ -1,23 +1,14 @@
 #include "cli/info_command.hpp"
 
-#include <filesystem>
+#include <string>
 
 #include "cli/exit_code.hpp"
+#include "host/lower_case.hpp"
 
 namespace morphcl::cli {
 
-namespace {
-// Of a file name, in lower case.
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
-}  // namespace
-
 int info_command(const InfoOptions& options) {
-  const std::string ending = ending_of(options.scene.path);
+  const std::string ending = lower_case_extension(options.scene.path);
   if (ending == ".exr")
     print_image_info(options.scene.path, options.json);
   else if (ending == ".png")

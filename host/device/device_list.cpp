@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include "host/device/cache_dir.hpp"
 #include "host/device/cl_error.hpp"
 #include "host/device/prepare_process.hpp"
+#include "host/lower_case.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -43,12 +43,6 @@ std::vector<cl::Device> devices_of(const cl::Platform& platform) {
     devices.clear();  // a platform without devices, or a broken one, must not hide the others
   }
   return devices;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
 }
 
 std::optional<std::size_t> as_index(std::string_view text) {

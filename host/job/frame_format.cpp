@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host/job/frame_pattern.hpp"
+#include "host/lower_case.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/job.hpp"
 
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 10> video_endings{".mp4", ".mov", ".webm", ".mkv", ".avi",
                                                          ".m4v", ".mpg", ".mpeg", ".gif", ".apng"};
-
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
 
 // The last of the name's parts that begin with a dot; "" when there is none, or when it holds a frame number.
 std::string_view ending_of(std::string_view pattern) {
@@ -45,7 +39,7 @@ std::string with_ending(std::string_view pattern, std::string_view old_ending, s
 FrameFormat frame_format(const std::string& pattern) {
   [[maybe_unused]] const FramePattern is_one(pattern);
   const std::string_view ending = ending_of(pattern);
-  const std::string lower = in_lower_case(ending);
+  const std::string lower = lower_case(ending);
   if (lower == ".exr") return FrameFormat::exr;
   if (lower == ".png") return FrameFormat::png;
   const std::string exr = with_ending(pattern, ending, ".exr"), png = with_ending(pattern, ending, ".png");

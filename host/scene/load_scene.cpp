@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 
+#include "host/lower_case.hpp"
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/authored_camera.hpp"
 #include "host/scene/model/fitted_camera.hpp"
@@ -16,13 +17,6 @@
 namespace morphcl {
 
 namespace {
-
-std::string lower_case_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
 
 Scene scene_of(ImportedModel model, const LoadOptions& options) {
   Scene scene;

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "host/lower_case.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_text.hpp"
 #include "morphcl/error.hpp"
@@ -30,10 +31,7 @@ std::string mtl_names(const std::set<std::string>& names) {
 }
 
 bool ends_library_name(std::string_view word) {
-  std::string end(word.substr(word.size() - std::min<std::size_t>(word.size(), 4)));
-  for (char& c : end)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return end == ".mtl";
+  return lower_case(word.substr(word.size() - std::min<std::size_t>(word.size(), 4))) == ".mtl";
 }
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/lower_case.hpp"
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_import.hpp"
@@ -19,15 +20,8 @@ namespace morphcl {
 
 namespace {
 
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 bool is_model_file(const std::string& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   return extension == ".gltf" || extension == ".glb" || extension == ".obj";
 }
 
@@ -134,7 +128,7 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
     segments->fail("segments belong to a built-in solid, not to a file");
   const std::string path = existing_file(name);
   const auto targets = object.find("targets");
-  const bool obj = extension_of(path) == ".obj";
+  const bool obj = lower_case_extension(path) == ".obj";
   if (targets && !obj) targets->fail("targets belong to an .obj file; a glTF file has its own");
   const ModelChoice choice{read_choice(object, "animation"), {}, read_choice(object, "scene")};
   if (!obj) return import_chosen(object, [&] { return import_gltf(path, time_, limits_, choice); });
@@ -145,7 +139,7 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < targets->size(); ++i) {
     const ShotValue target = (*targets)[i];
-    if (extension_of(target.text()) != ".obj")
+    if (lower_case_extension(target.text()) != ".obj")
       target.fail(fmt::format("target \"{}\" is not an .obj file", target.text()));
     paths.push_back(existing_file(target));
   }
@@ -154,7 +148,7 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
 
 ImportedModel MeshLibrary::camera_model(const ShotTable& camera) {
   const ShotValue file = camera.need("model");
-  const std::string extension = extension_of(file.text());
+  const std::string extension = lower_case_extension(file.text());
   if (extension != ".gltf" && extension != ".glb")
     file.fail(fmt::format("model \"{}\" is not a .gltf or .glb file, which may hold cameras", file.text()));
   const std::string path = existing_file(file);
