@@ -85,8 +85,9 @@ std::optional<std::string> group_path(const fs::path& root, std::string_view con
 }
 
 void narrow(MemoryRoom& room, const fs::path& group, const Controller& names) {
-  const auto limit = number_in(group / names.limit), used = number_in(group / names.used);
+  const auto limit = number_in(group / names.limit);
   if (!limit || *limit >= no_limit) return;
+  const auto used = number_in(group / names.used);  // takes the system a millisecond, so it is not asked in vain
   const std::uint64_t cached = value_in(group / "memory.stat", names.cached).value_or(0);
   const std::uint64_t shared = value_in(group / "memory.stat", names.shared).value_or(0);
   const std::uint64_t left = left_of(*limit, left_of(used.value_or(0), left_of(cached, shared)));
