@@ -159,7 +159,8 @@ std::vector<std::string> class_bodies(const std::string& code) {
 std::set<std::string> changing_members(const std::vector<std::string>& texts) {
   // A type that is not void, a name, arguments, and what follows them.
   static const std::regex member(
-      R"((?:^|[;{}:]\s)\s*(?!return|else|throw|void|using|explicit|static|friend)(?:\[\[nodiscard\]\] )?(?:virtual |constexpr |inline )*[A-Za-z_][\w:<>, ]*[&*]? [&*]?([A-Za-z_]\w*)\([^()]*\)\s*(const|noexcept|override|;|\{|=))");
+      R"((?:^|[;{}:]\s)\s*(?!return|else|throw|void|using|explicit|static|friend))"
+      R"((?:\[\[nodiscard\]\] )?(?:virtual |constexpr |inline )*[A-Za-z_][\w:<>, ]*[&*]? [&*]?([A-Za-z_]\w*)\([^()]*\)\s*(const|noexcept|override|;|\{|=))");
   std::set<std::string> changing, constant;
   for (const std::string& text : texts)
     for (const std::string& body : class_bodies(code_of(text)))

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -15,31 +14,17 @@
 #include "morphcl/session.hpp"
 #include "tests/device/run_device_child.hpp"
 #include "tests/device/warm_cache.hpp"
+#include "tests/support/exit_code_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using test_support::Environment;
+using test_support::exit_code_of;
 using test_support::TemporaryFolder;
 using testing::ChildResult;
 using testing::run_child;
-
-// The error of `action` in a process of its own, under limits that it sets itself: its kind's exit code, or 0.
-int exit_code_of(const std::function<void()>& action) {
-  const pid_t pid = fork();
-  if (pid == 0) {
-    try {
-      action();
-    } catch (const Error& error) {
-      _exit(error.exit_code());
-    }
-    _exit(0);
-  }
-  int status = -1;
-  waitpid(pid, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 void limit(decltype(RLIMIT_FSIZE) resource, rlim_t value) {
   const rlimit both = {value, value};

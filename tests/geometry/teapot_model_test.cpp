@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "host/geometry/teapot_patches.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace morphcl {
 namespace {
@@ -17,7 +17,7 @@ constexpr int model_segments = 10;
 constexpr double half_of_the_last_decimal = 0.5e-6;
 
 std::vector<glm::dvec3> model_vertices() {
-  std::ifstream file(std::string(std::getenv("MORPHCL_ASSETS")) + "/obj/teapot.obj");
+  std::ifstream file(test_support::test_data("MORPHCL_ASSETS") / "obj/teapot.obj");
   std::vector<glm::dvec3> vertices;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);

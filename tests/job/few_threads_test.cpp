@@ -2,41 +2,32 @@
 #include <ImfThreading.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/job/fake_renderer.hpp"
+#include "tests/support/exit_code_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
 namespace {
 
 using namespace job_test;
+using test_support::exit_code_of;
 using test_support::TemporaryFolder;
 
 // A job of a user who may have so many threads beside the first one: how it ended, 0 or an error's exit code. Only root
 // can be another user.
 int run_with_threads(rlim_t threads, const RenderJob& job, const Scene& scene = empty_scene()) {
   Imf::setGlobalThreadCount(0);  // a forked process would wait for threads that it does not have
-  const pid_t pid = fork();
-  if (pid == 0) {
+  return exit_code_of([&] {
     const rlimit limit = {threads + 1, threads + 1};
     setrlimit(RLIMIT_NPROC, &limit);
     if (setuid(1'000'000 + static_cast<uid_t>(getpid())) != 0) _exit(1);
     alarm(20);  // for who waits for a thread that never started
-    try {
-      FakeRenderer renderer;
-      run(job, scene, renderer);
-    } catch (const Error& error) {
-      _exit(error.exit_code());
-    }
-    _exit(0);
-  }
-  int status = -1;
-  waitpid(pid, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    FakeRenderer renderer;
+    run(job, scene, renderer);
+  });
 }
 
 TEST(FewThreads, AreEnoughAndNoneIsAnError) {

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
 
 #include "host/memory_room.hpp"
 #include "morphcl/error.hpp"
+#include "tests/support/exit_code_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
@@ -96,8 +96,7 @@ TEST(MemoryRoom, OfAControlGroupOfVersion1) {
 #ifndef MORPHCL_SANITIZED
 // A process of its own, which may map so much more than this one does.
 int exit_code_within(std::uint64_t bytes, int width, int height) {
-  const pid_t pid = fork();
-  if (pid == 0) {
+  return test_support::exit_code_of([=] {
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const rlim_t all = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + bytes;
@@ -109,13 +108,10 @@ int exit_code_within(std::uint64_t bytes, int width, int height) {
       const std::string line = error.what();
       const bool told =
           line.find("7680x4320 takes some ") != std::string::npos && line.find("and ulimit -v, ") != std::string::npos;
-      _exit(told ? error.exit_code() : 99);
+      if (!told) _exit(99);
+      throw;
     }
-    _exit(0);
-  }
-  int status = -1;
-  waitpid(pid, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  });
 }
 
 // AddressSanitizer maps terabytes.

@@ -1,7 +1,6 @@
 // Models made by others, below the folder that MORPHCL_ASSETS names: every frame, device against reference.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -12,11 +11,12 @@
 #include "tests/render/parity.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace morphcl::test {
 namespace {
 
-std::string asset(const std::string& name) { return std::string(std::getenv("MORPHCL_ASSETS")) + "/" + name; }
+std::string asset(const std::string& name) { return test_support::test_data("MORPHCL_ASSETS") / name; }
 
 void expect_parity_of_every_frame(const std::string& path) {
   LoadOptions options;

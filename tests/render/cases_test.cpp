@@ -1,7 +1,6 @@
 // Small files that went wrong once, or could, below the folder that MORPHCL_CASES names: what becomes of each.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -12,13 +11,14 @@
 #include "morphcl/scene.hpp"
 #include "tests/render/cases_table.hpp"
 #include "tests/render/parity.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace morphcl::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path cases_folder() { return std::getenv("MORPHCL_CASES"); }
+fs::path cases_folder() { return test_support::test_data("MORPHCL_CASES"); }
 
 // Frame 0 at 64 x 64 pixels.
 std::unique_ptr<FrameBuffer> picture_of(const std::string& file) {

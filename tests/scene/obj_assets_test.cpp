@@ -12,11 +12,12 @@
 
 #include "host/scene/obj/obj_import.hpp"
 #include "morphcl/mesh.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace morphcl::test {
 namespace {
 
-std::string asset(const std::string& name) { return std::string(std::getenv("MORPHCL_ASSETS")) + "/" + name; }
+std::string asset(const std::string& name) { return test_support::test_data("MORPHCL_ASSETS") / name; }
 
 // No values, and so no tests, without the assets.
 std::vector<std::string> if_present(std::vector<std::string> names) {

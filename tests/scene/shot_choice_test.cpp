@@ -25,7 +25,8 @@ constexpr std::string_view choices = R"({
 "accessors": [{"componentType": 5126, "count": 3, "type": "VEC3", "bufferView": 0},
               {"componentType": 5126, "count": 3, "type": "SCALAR", "bufferView": 1}],
 "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12}],
-"buffers": [{"byteLength": 48, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAABA"}]
+"buffers": [{"byteLength": 48, "uri": "data:application/octet-stream;base64,)"
+                                     R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAABA"}]
 })";
 
 class Choices : public ::testing::Test {
