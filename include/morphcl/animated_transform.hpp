@@ -15,7 +15,8 @@
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 class AnimatedTransform {
  public:
@@ -39,3 +40,4 @@ class AnimatedTransform {
 };
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -18,7 +18,8 @@
 
 #include "morphcl/transform.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 class Session;
 
@@ -232,3 +233,4 @@ void transform_reference(const Transform<Real>& transform, const Vertices<const 
                          const MatrixChoice<std::type_identity_t<Real>>& choice = {});
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -3,7 +3,8 @@
 
 #include <glm/glm.hpp>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- look at --------------------------------------------------------------------------------------------------------
 //
@@ -74,3 +75,4 @@ ViewDirection view_direction(PrincipalView view);
 glm::dvec3 foreshortening(const ViewDirection& view);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

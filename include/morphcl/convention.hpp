@@ -8,7 +8,8 @@
 
 #include <glm/glm.hpp>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 enum class VectorForm {
   column,  // p' = M p
@@ -53,3 +54,4 @@ glm::dmat4 projection_from(const Convention& convention, const ForeignProjection
 glm::dmat4 board_to_eye(double eye_z);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -13,7 +13,8 @@
 #include <optional>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 enum class DepthFormat { reversed_float, forward_float, fixed16, fixed24, fixed32 };
 constexpr std::array<DepthFormat, 5> depth_formats = {DepthFormat::reversed_float, DepthFormat::forward_float,
@@ -48,3 +49,4 @@ double distance_of_stored(DepthFormat format, const DepthRange& range, double st
 double steps_of(DepthFormat format);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

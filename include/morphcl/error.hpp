@@ -7,7 +7,8 @@
 #include <string>
 #include <string_view>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // The numbers are the exit codes of the command line tool.
 enum class ErrorKind : int {
@@ -42,3 +43,4 @@ class Error : public std::runtime_error {
 std::string printable(std::string_view text);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -10,7 +10,8 @@
 
 #include "morphcl/planner.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 struct PlanNote {
   std::string item;         // "vertex normals"
@@ -46,3 +47,4 @@ PlanReport explain(const Planner& planner, std::int64_t frame);
 std::string exceeded_limit(const MemoryNeed& need, std::size_t max_allocation);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -9,7 +9,8 @@
 
 #include "morphcl/frame.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // What a frame's file says about the frame. No date, host or path: two runs give the same bytes.
 struct FrameAttributes {
@@ -90,3 +91,4 @@ struct ExrDescription {
 ExrDescription describe_exr(const std::string& path);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

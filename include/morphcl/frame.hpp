@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 constexpr float background_depth = 1e10f;  // Z where nothing is drawn
 
@@ -146,3 +147,4 @@ struct Rgb {
 std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> background = std::nullopt);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -14,7 +14,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 constexpr int max_polygon_coordinate = 512;  // half pixels
 
@@ -73,3 +74,4 @@ PolygonPicture warnock_picture(const std::vector<FlatPolygon>& polygons, int wid
 PolygonPicture watkins_picture(const std::vector<FlatPolygon>& polygons, int width, int height);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -11,7 +11,8 @@
 #include "morphcl/renderer.hpp"
 #include "morphcl/scene.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 struct FrameResult {
   std::int64_t frame = 0;
@@ -84,3 +85,4 @@ JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 std::string fingerprint(const Scene& scene);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // With p of the base and w the weight: a delta target holds differences d, as glTF does, and gives p + w d; an absolute
 // target holds values b of its own and gives (1-w) p + w b, exact at w = 0 and w = 1. Several targets add up what they
@@ -43,3 +44,4 @@ std::vector<glm::uvec2> distinct_edges(
 std::vector<glm::uvec2> wireframe_edges(const Mesh& mesh);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <span>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- angle ----------------------------------------------------------------------------------------------------------
 //
@@ -123,3 +124,4 @@ struct HalfRange {
 HalfRange half_range(std::span<const double> values);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

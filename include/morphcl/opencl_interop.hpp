@@ -14,7 +14,8 @@
 
 #include "morphcl/session.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 enum class VertexLayout;  // this and Transform: batch.hpp
 template <class Real>
@@ -59,3 +60,4 @@ template <class Real>
                                                       cl::Buffer bad_index = {});
 
 }  // namespace morphcl
+#pragma GCC visibility pop

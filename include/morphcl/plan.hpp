@@ -7,7 +7,8 @@
 #include "morphcl/exr.hpp"
 #include "morphcl/frame.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 struct FramePlan;  // the plan itself; complete within the library alone
 
@@ -39,3 +40,4 @@ class Plan {
 };
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -7,7 +7,8 @@
 #include "morphcl/plan.hpp"
 #include "morphcl/scene.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // What plans may leave out. Every picture is the same with and without; measurements and tests ask for both. (But an
 // object out of view whose transform leaves fp32 is an error only where it is not left out.)
@@ -52,3 +53,4 @@ Plan plan_frame(const Scene& scene, std::int64_t frame, const PlanOptions& optio
 Plan plan_frame(const Scene&& scene, std::int64_t frame, const PlanOptions& options = {}) = delete;
 
 }  // namespace morphcl
+#pragma GCC visibility pop

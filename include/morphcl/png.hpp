@@ -13,7 +13,8 @@
 
 #include "morphcl/exr.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // Writes as write_exr does, with its errors. Of the attributes the frame number, the fingerprint and the deviation are
 // stored, in text chunks; of the last, other characters than printable ASCII as '?'. Returns the pixel hash that the
@@ -66,3 +67,4 @@ void verify_png(const std::string& path, const std::string& hash);
 std::optional<PngDescription> finished_png(const std::string& path, const std::string& fingerprint, int bits);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -8,7 +8,8 @@
 #include <glm/glm.hpp>
 #include <span>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // 1: counter-clockwise, c lies to the left of the line from a to b; -1: to the right; 0: exactly on it.
 int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
@@ -37,3 +38,4 @@ PointPlace place_in_polygon(std::span<const glm::dvec2> polygon, const glm::dvec
 int winding_number(std::span<const glm::dvec2> polygon, const glm::dvec2& point);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

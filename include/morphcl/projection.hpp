@@ -6,7 +6,8 @@
 #include <optional>
 #include <variant>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- window ---------------------------------------------------------------------------------------------------------
 //
@@ -185,3 +186,4 @@ VanishingPoints vanishing_points(const Projection& projection, double aspect, co
 int count(const VanishingPoints& points);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -15,7 +15,8 @@
 #include "morphcl/frame.hpp"
 #include "morphcl/plan.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 class Session;
 
@@ -57,3 +58,4 @@ std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session)
 std::unique_ptr<Renderer> make_reference_renderer();
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -5,7 +5,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- rotation -------------------------------------------------------------------------------------------------------
 //
@@ -73,3 +74,4 @@ glm::mat<3, 3, T> orthonormal_basis(const glm::vec<3, T>& normal) {
 }
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -16,7 +16,8 @@
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- frame range ----------------------------------------------------------------------------------------------------
 
@@ -135,3 +136,4 @@ struct LoadOptions {
 Scene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // What the self-test of a device says: identical, it computes the bits that every other such device computes; tolerant,
 // it rounds differently somewhere, by 4 ulp at most. A device that is further off is not opened.
@@ -71,3 +72,4 @@ class Session {
 };
 
 }  // namespace morphcl
+#pragma GCC visibility pop

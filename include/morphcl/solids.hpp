@@ -11,7 +11,8 @@
 
 #include "morphcl/mesh.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // How finely a curved solid is cut: u around, v from pole to pole (or along the other direction).
 struct Segments {
@@ -75,3 +76,4 @@ Mesh make_grid(Segments segments);
 Mesh make_teapot(Segments segments);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

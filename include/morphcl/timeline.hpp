@@ -11,7 +11,8 @@
 #include "morphcl/projection.hpp"
 #include "morphcl/track.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // A node of the hierarchy. node -> parent is translation * rotation * scale * static_transform; a track, where there is
 // one, replaces the constant beside it.
@@ -146,3 +147,4 @@ struct FrameState {
 FrameState evaluate(const Timeline& timeline, std::int64_t frame);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -11,7 +11,8 @@
 #include <span>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- time base ------------------------------------------------------------------------------------------------------
 //
@@ -191,3 +192,4 @@ std::vector<double> default_tangents(std::span<const double> times, std::span<co
 std::vector<double> monotone_tangents(std::span<const double> times, std::span<const double> values);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

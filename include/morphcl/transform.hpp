@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // ---- rounding -------------------------------------------------------------------------------------------------------
 //
@@ -154,3 +155,4 @@ template <class Other>
 void decompose(const Other&) = delete;
 
 }  // namespace morphcl
+#pragma GCC visibility pop

@@ -12,7 +12,8 @@
 #include "morphcl/projection.hpp"
 #include "morphcl/transform.hpp"
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 struct TransformStep2d {
   std::string name;    // "rotate_about_degrees"
@@ -57,3 +58,4 @@ glm::dmat3 ndc_to_pixels(const Viewport& viewport);
 glm::dmat3 world_to_pixels(const glm::dvec2& centre, double degrees, const Window& window, const Viewport& viewport);
 
 }  // namespace morphcl
+#pragma GCC visibility pop

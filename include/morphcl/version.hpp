@@ -5,9 +5,11 @@
 #define MORPHCL_VERSION_MINOR 1
 #define MORPHCL_VERSION_PATCH 0
 
-namespace [[gnu::visibility("default")]] morphcl {
+#pragma GCC visibility push(default)
+namespace morphcl {
 
 // Of the library: "0.1.0". Frames and kernels that another version made are not taken for this one's.
 const char* version();
 
 }  // namespace morphcl
+#pragma GCC visibility pop
