@@ -38,7 +38,7 @@ Scene rig_scene(int targets, int width, int height, int frames) {
   if (targets < 1 || targets > max_targets)
     throw Error(ErrorKind::usage, "", fmt::format("--amount {} of scene rig: from 1 to {}", targets, max_targets));
   const int active_targets = std::min(targets, max_active_targets);
-  BenchScene ball = make_bench_scene("heavy", width, height, 4 * 80 * 80);
+  BenchScene ball = make_bench_scene("heavy", width, height, 12 * 46 * 46);
   ball.name = "rig";
   Scene scene = morphcl_scene(ball, frames);
 

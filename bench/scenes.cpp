@@ -62,10 +62,10 @@ void refuse_amount(const std::string& scene, int amount) {
     throw Error(ErrorKind::usage, "", fmt::format("--amount {}: there is nothing to count in {}", amount, scene));
 }
 
-void make_sphere_grid(BenchScene& scene, int amount) {
-  const int triangles = checked_amount(scene.name, amount, {16, 100'000'000, 4 * 512 * 512});
+void make_sphere(BenchScene& scene, int amount) {
+  const int triangles = checked_amount(scene.name, amount, {16, 100'000'000, 12 * 296 * 296});
   scene.surface = Surface::smooth;
-  scene.shape = sphere_shape(static_cast<int>(std::lround(std::sqrt(triangles / 4.0))));
+  scene.shape = sphere_shape(static_cast<int>(std::lround(std::sqrt(triangles / 12.0))));
   fit_camera(scene);
 }
 
@@ -117,7 +117,7 @@ BenchScene make_bench_scene(const std::string& name, int width, int height, int 
   if (name == "morph" || name == "wire") {
     make_morph(scene, amount);
   } else if (name == "heavy") {
-    make_sphere_grid(scene, amount);
+    make_sphere(scene, amount);
   } else if (name == "overdraw_btf" || name == "overdraw_ftb") {
     make_layers(scene, amount, name == "overdraw_btf");
   } else if (name == "many" || name == "crowd" || name == "crowd_in_view") {

@@ -40,8 +40,8 @@ Shape cube_shape(bool pyramid_first, float first_scale) {
   return shape;
 }
 
-Shape sphere_shape(int segments) {
-  Mesh mesh = make_solid("sphere_to_cube", Segments{2 * segments, segments});
+Shape sphere_shape(int cells) {
+  Mesh mesh = make_solid("sphere_to_cube", Segments{4 * cells, 2 * cells});
   Shape shape;
   shape.positions[0] = std::move(mesh.positions);
   shape.normals[0] = std::move(mesh.normals);

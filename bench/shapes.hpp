@@ -9,8 +9,8 @@ namespace morphcl::bench {
 // same base, or else the cube times `first_scale`.
 Shape cube_shape(bool pyramid_first, float first_scale);
 
-// A sphere of radius 1, then a cube: a grid of 2 `segments` by `segments` quads, 4 `segments`² triangles, with normals.
-Shape sphere_shape(int segments);
+// A sphere of radius 1, then a cube: six faces of `cells` by `cells` quads, 12 `cells`² triangles, with normals.
+Shape sphere_shape(int cells);
 
 // Quads that just cover a picture of this aspect (width / height) seen from the origin along -z, each behind the next
 // or in front of it, with normals that vary across each.

@@ -28,8 +28,8 @@ std::string solid(const BenchScene& scene) {
   if (scene.name == "morph" || scene.name == "wire") return pyramid;
   if (scene.name != "heavy")
     throw Error(ErrorKind::usage, "", fmt::format("there is no shot of scene {}", printable(scene.name)));
-  const auto v = static_cast<int>(std::lround(std::sqrt(static_cast<double>(scene.shape.triangles.size()) / 4.0)));
-  return fmt::format("mesh = \"sphere_to_cube\"\nsegments = [{}, {}]\n", 2 * v, v);
+  const auto cells = static_cast<int>(std::lround(std::sqrt(static_cast<double>(scene.shape.triangles.size()) / 12.0)));
+  return fmt::format("mesh = \"sphere_to_cube\"\nsegments = [{}, {}]\n", 4 * cells, 2 * cells);
 }
 
 void run(const Options& options) {

@@ -1,5 +1,4 @@
-// The solids of revolution: the sphere, the sphere that becomes a cube, and the torus.
-#include <cmath>
+// The solids of revolution: the sphere and the torus.
 #include <cstddef>
 
 #include "host/geometry/grid_topology.hpp"
@@ -19,42 +18,17 @@ std::vector<SinCos> circle(int segments, double degrees) {
   return points;
 }
 
-Mesh sphere_vertices(Segments segments) {
+}  // namespace
+
+Mesh make_sphere(Segments segments) {
   Mesh mesh;
+  mesh.name = "sphere";
   const std::vector<SinCos> around = circle(segments.u, 360), down = circle(segments.v, 180);
   mesh.positions.reserve(around.size() * down.size());
   for (const SinCos& theta : down)
     for (const SinCos& phi : around) mesh.positions.emplace_back(theta.sin * phi.sin, theta.cos, theta.sin * phi.cos);
   mesh.normals = mesh.positions;
-  return mesh;
-}
-
-}  // namespace
-
-Mesh make_sphere(Segments segments) {
-  Mesh mesh = sphere_vertices(segments);
-  mesh.name = "sphere";
   append_grid_triangles(segments, 0, {.first = true, .last = true}, false, mesh.triangles);
-  return mesh;
-}
-
-Mesh make_sphere_to_cube(Segments segments) {
-  Mesh mesh = sphere_vertices(segments);
-  mesh.name = "sphere_to_cube";
-  append_grid_triangles(segments, 0, {}, false, mesh.triangles);
-
-  MorphTarget cube{"cube", TargetForm::absolute, {}, {}, {}};
-  cube.positions.reserve(mesh.positions.size());
-  cube.normals.reserve(mesh.positions.size());
-  for (const glm::vec3& p : mesh.positions) {
-    const glm::vec3 size = glm::abs(p);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    glm::vec3 normal(0);
-    normal[axis] = std::copysign(1.0f, p[axis]);
-    cube.positions.push_back(p / size[axis]);
-    cube.normals.push_back(normal);
-  }
-  mesh.targets.push_back(std::move(cube));
   return mesh;
 }
 

@@ -14,6 +14,12 @@ struct Request {
   long long vertices;
 };
 
+// Of a mesh that is `grids` grids of u x v quads.
+template <int grids>
+long long grid_vertices(Segments segments) {
+  return grids * (segments.u + 1LL) * (segments.v + 1LL);
+}
+
 // What `name` and `segments` ask for, checked.
 Request checked(std::string_view name, std::optional<Segments> given) {
   const SolidInfo* solid = find_solid(name);
@@ -27,7 +33,7 @@ Request checked(std::string_view name, std::optional<Segments> given) {
                             name, minimum.u, minimum.v));
   const bool countable =
       segments.u < max_solid_vertices && segments.v < max_solid_vertices;  // the product fits 64 bits
-  const long long vertices = countable ? solid->grids * (segments.u + 1LL) * (segments.v + 1LL) : 0;
+  const long long vertices = countable ? solid->vertices(segments) : 0;
   if (!countable || vertices > max_solid_vertices)
     throw Error(ErrorKind::usage, "",
                 fmt::format("segments [{}, {}] make more than the {} vertices that are allowed", segments.u, segments.v,
@@ -42,15 +48,25 @@ const std::vector<SolidInfo>& solids() {
       {"pyramid_to_cube",
        {0, 0},
        {0, 0},
-       8,
+       grid_vertices<8>,
        "a pyramid with the morph target \"cube\", a box",
        [](Segments) { return make_pyramid_to_cube(); }},
-      {"cube", {0, 0}, {0, 0}, 24, "a cube of half-edge 1", [](Segments) { return make_cube(); }},
-      {"sphere", {3, 2}, {64, 32}, 1, "a sphere of radius 1", make_sphere},
-      {"sphere_to_cube", {3, 2}, {64, 32}, 1, "a sphere with the morph target \"cube\"", make_sphere_to_cube},
-      {"torus", {3, 3}, {64, 32}, 1, "a ring of radius 0.7 with a tube of radius 0.3", make_torus},
-      {"grid", {1, 1}, {10, 10}, 1, "a square of half-edge 1 in the xz plane", make_grid},
-      {"teapot", {1, 1}, {10, 10}, 32, "Newell's teapot; segments are those of each of its 32 patches", make_teapot},
+      {"cube", {0, 0}, {0, 0}, grid_vertices<24>, "a cube of half-edge 1", [](Segments) { return make_cube(); }},
+      {"sphere", {3, 2}, {64, 32}, grid_vertices<1>, "a sphere of radius 1", make_sphere},
+      {"sphere_to_cube",
+       {3, 2},
+       {64, 32},
+       sphere_to_cube_vertices,
+       "a sphere of a cube's six faces, with the morph target \"cube\"",
+       make_sphere_to_cube},
+      {"torus", {3, 3}, {64, 32}, grid_vertices<1>, "a ring of radius 0.7 with a tube of radius 0.3", make_torus},
+      {"grid", {1, 1}, {10, 10}, grid_vertices<1>, "a square of half-edge 1 in the xz plane", make_grid},
+      {"teapot",
+       {1, 1},
+       {10, 10},
+       grid_vertices<32>,
+       "Newell's teapot; segments are those of each of its 32 patches",
+       make_teapot},
   };
   return all;
 }

@@ -23,7 +23,7 @@ struct SolidInfo {
   std::string_view name;
   Segments minimum;  // {0, 0}: the solid has no segments
   Segments standard;
-  int grids;  // a mesh has grids (u+1)(v+1) vertices; without segments, grids vertices
+  long long (*vertices)(Segments);  // how many a mesh has; segments below 2^27 each, none checked
   std::string_view description;
   Mesh (*make)(Segments);  // does not check the segments; make_solid does
 };
@@ -44,7 +44,7 @@ constexpr long long max_solid_vertices = 1LL << 27;
 long long solid_vertices(std::string_view name, std::optional<Segments> segments = std::nullopt);
 
 // The makers below do not check their segments: make_solid does. Vertex (i, j), i from 0 to u and j from 0 to v, has
-// the index j (u+1) + i; the teapot has its patches one after the other.
+// the index j (u+1) + i; the teapot has its patches one after the other, sphere_to_cube its faces.
 
 // The classic pyramid that grows into a box, z up, in its own coordinates: base z = 30 from (50, 50) to (150, 150), and
 // all four top corners in the apex (100, 100, 100). Target "cube" (absolute): top corners above the base's at z = 100.
@@ -59,9 +59,16 @@ Mesh make_cube();
 // upper pole is (sin theta sin phi, cos theta, sin theta cos phi). 2u(v-1) triangles.
 Mesh make_sphere(Segments segments);
 
-// The sphere with the absolute target "cube": p / max |p_i|, with the normal of the cube's face (ties go to x, then y).
-// It keeps the plain grid's 2uv triangles: those at the poles have no area.
+// A sphere of radius 1 that is a cube blown up, with the absolute target "cube" of half-edge 1. Each of the cube's
+// edges is cut at equal angles seen from the centre: n = u/4 cells along x and z, m = v/2 cells along y, both rounded
+// up, so that a cell on the side is 90/n degrees wide and 90/m high. The faces +x, -x, +y, -y, +z, -z follow each
+// other, each a grid of its own: along an edge two vertices lie at the same place, in a corner three. Their normals are
+// equal on the sphere, and on the cube those of their faces, which makes its edges sharp. On a face across axis a,
+// vertex (i, j) has the cube's coordinates tan(90 i/n_b - 45 degrees) along the next axis b (of x, y, z, x, ...) and
+// tan(90 j/n_c - 45 degrees) along the one after, and the index j (n_b + 1) + i; its place on the sphere is in the same
+// direction. 4(n+1)(m+1) + 2(n+1)^2 vertices, 8nm + 4n^2 triangles, each with an area in every pose.
 Mesh make_sphere_to_cube(Segments segments);
+long long sphere_to_cube_vertices(Segments segments);
 
 // Ring of radius 0.7 about the y axis with a tube of radius 0.3: vertex (i, j), at phi = 360 i/u around the axis and
 // psi = 360 j/v around the tube, is (r sin phi, -0.3 sin psi, r cos phi) with r = 0.7 + 0.3 cos psi.

@@ -58,7 +58,7 @@ TEST_F(Device, AnUnknownNameListsThoseThereAre) {
 
 // PoCL calls itself a device of 1 GiB then, and allocates a quarter of it at once.
 TEST_F(Device, MeshesOverItsLimitAreRefusedWithBothNumbersOnEveryFrame) {
-  plant("huge.toml", "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [2400, 2400]\n");
+  plant("huge.toml", "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [3032, 3032]\n");
   ToolOptions small_device = with_cache();
   small_device.environment.emplace("POCL_MEMORY_LIMIT", "1");
   const ToolResult result = run_tool({"render", path("huge.toml"), "--frames", "0-1", "--json"}, small_device);

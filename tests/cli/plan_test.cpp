@@ -64,7 +64,7 @@ TEST_F(Plan, AnUnknownChoiceIsRefused) {
 
 // PoCL calls itself a device of 1 GiB then, and allocates a quarter of it at once.
 TEST_F(Plan, SaysWhenAFrameIsTooLargeForTheDevice) {
-  plant("huge.toml", "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [2400, 2400]\n");
+  plant("huge.toml", "[image]\nsize = [64, 48]\n[[object]]\nmesh = \"sphere_to_cube\"\nsegments = [3032, 3032]\n");
   const ToolOptions small_device{.environment = {{"POCL_MEMORY_LIMIT", "1"}}};
   const ToolResult result = run_tool({"plan", path("huge.toml")}, small_device);
   EXPECT_EQ(result.code, 0) << result.err;

@@ -137,22 +137,6 @@ TEST(Sphere, HasExactPolesSeamAndRadius) {
   EXPECT_EQ(mesh.positions, mesh.normals);
 }
 
-TEST(SphereToCube, IsTheWholeGridWithFaceNormals) {
-  const Mesh mesh = make_sphere_to_cube({16, 8});
-  EXPECT_EQ(mesh.positions.size(), 17u * 9);
-  EXPECT_EQ(mesh.triangles.size(), 2u * 16 * 8);
-  EXPECT_EQ(mesh.triangles[0], glm::uvec3(0, 17, 1));
-  EXPECT_EQ(mesh.triangles[1], glm::uvec3(1, 17, 18));
-  const MorphTarget& cube = mesh.targets[0];
-  EXPECT_EQ(cube.form, TargetForm::absolute);
-  for (std::size_t i = 0; i < cube.positions.size(); ++i) {
-    const glm::vec3 p = cube.positions[i], n = cube.normals[i], size = glm::abs(p);
-    EXPECT_EQ(std::max({size.x, size.y, size.z}), 1) << "vertex " << i;
-    EXPECT_EQ(glm::dot(p, n), 1) << "vertex " << i;
-    EXPECT_EQ(glm::abs(n.x) + glm::abs(n.y) + glm::abs(n.z), 1) << "vertex " << i;
-  }
-}
-
 TEST(Grid, LiesInThePlaneAndFacesUp) {
   const Mesh mesh = make_grid({3, 2});
   EXPECT_EQ(mesh.positions.size(), 12u);
@@ -192,6 +176,8 @@ TEST(MakeSolid, RefusesWhatCannotBeMade) {
   EXPECT_EQ(refusal("cube", Segments{4, 4}), "the solid \"cube\" takes no segments");
   EXPECT_EQ(refusal("sphere", Segments{2, 2}), "segments [2, 2] are too few; \"sphere\" needs at least [3, 2]");
   EXPECT_EQ(refusal("sphere", Segments{3, 1}), "segments [3, 1] are too few; \"sphere\" needs at least [3, 2]");
+  EXPECT_EQ(refusal("sphere_to_cube", Segments{2, 2}),
+            "segments [2, 2] are too few; \"sphere_to_cube\" needs at least [3, 2]");
   EXPECT_EQ(refusal("grid", Segments{-5, 1}), "segments [-5, 1] are too few; \"grid\" needs at least [1, 1]");
 }
 
@@ -201,6 +187,9 @@ TEST(MakeSolid, RefusesMoreThanItsVerticesBeforeMakingThem) {
             std::string("segments [2147483647, 2147483647]") + message);
   EXPECT_EQ(refusal("grid", Segments{16384, 8191}), std::string("segments [16384, 8191]") + message);
   EXPECT_EQ(solid_vertices("grid", Segments{16383, 8191}), max_solid_vertices);
+  EXPECT_EQ(refusal("sphere_to_cube", Segments{16384, 16384}), std::string("segments [16384, 16384]") + message);
+  EXPECT_EQ(refusal("sphere_to_cube", Segments{134217727, 134217727}),
+            std::string("segments [134217727, 134217727]") + message);
   EXPECT_EQ(refusal("teapot", Segments{2048, 2048}), std::string("segments [2048, 2048]") + message);
 }
 
