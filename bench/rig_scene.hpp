@@ -1,4 +1,4 @@
-// A face-like mesh with many morph targets of which few are used, as rigs of characters have them.
+// A mesh with many morph targets of which few are used, as rigs of characters have them.
 #pragma once
 
 #include "morphcl/scene.hpp"

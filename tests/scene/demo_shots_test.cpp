@@ -48,6 +48,30 @@ TEST(DemoShots, WireframeTurnsHalfADegreeAFrame) {
   }
 }
 
+// From the outside inwards: none at first, no target before the one outside of it, and all in the end.
+TEST(DemoShots, WaterLilyOpensRowByRow) {
+  const Scene scene = demo("water_lily.toml");
+  const std::vector<MorphTarget>& targets = scene.meshes[0].targets;
+  ASSERT_EQ(targets.size(), 25u);
+  const auto weights = [&](std::int64_t frame) {
+    return weights_at(scene.objects[0].morph, scene.timeline.time, frame);
+  };
+  ASSERT_EQ(frame_numbers(scene.frames).size(), 101u);
+  EXPECT_EQ(weights(0), std::vector<double>(25, 0.0));
+  EXPECT_EQ(weights(100), std::vector<double>(25, 1.0));
+  for (std::int64_t frame = 1; frame < 100; ++frame) {
+    const std::vector<double> now = weights(frame), before = weights(frame - 1);
+    for (std::size_t target = 0; target < 25; ++target) {
+      EXPECT_GE(now[target], before[target]) << targets[target].name << ", frame " << frame;
+      EXPECT_LE(now[target], 1) << targets[target].name << ", frame " << frame;
+    }
+    for (std::size_t target = 2; target < 24; ++target)  // lift and open take turns, row by row
+      EXPECT_LE(now[target], now[target - 2]) << targets[target].name << ", frame " << frame;
+  }
+  const std::vector<double> halfway = weights(50);
+  EXPECT_GE(std::count(halfway.begin(), halfway.end(), 0.0), 5) << "targets that are not read";
+}
+
 TEST(DemoShots, TeapotsStandAtTheirFiveDepths) {
   const Scene scene = demo("teapots.toml");
   ASSERT_EQ(scene.objects.size(), 5u);
