@@ -64,7 +64,7 @@ const std::vector<SolidInfo>& solids() {
       {"teapot",
        {1, 1},
        {10, 10},
-       grid_vertices<32>,
+       grid_vertices<36>,
        "Newell's teapot; segments are those of each of its 32 patches",
        make_teapot},
   };

@@ -79,7 +79,10 @@ Mesh make_grid(Segments segments);
 
 // Newell's teapot from its 32 bicubic Bezier patches, each cut into u x v quads, in the size of GLUT's teapot of size
 // 1: y up, spout towards +x, half the classic scale, lowered so that the classic height 1.5 is y = 0; so x is in
-// [-1.5, 1.7171], y in [-0.75, 0.825], z in [-1, 1]. 32 (u+1)(v+1) vertices. Not closed: the lid does not meet the rim.
+// [-1.5, 1.7171], y in [-0.75, 0.825], z in [-1, 1]. So that nothing shows through it where only front faces are drawn,
+// the patches are followed by triangles between their vertices, a flat ring from the lid's edge to the rim and the ends
+// of the handle, and by the four patches of the spout once more, turned inside out: what is seen through its mouth.
+// 36 (u+1)(v+1) vertices. Only the spout has open ends.
 Mesh make_teapot(Segments segments);
 
 }  // namespace morphcl

@@ -100,32 +100,67 @@ TEST(Teapot, IsSymmetricAndHasGlutsSize) {
   EXPECT_EQ(box.upper.z, 1);
 }
 
+constexpr int spout_patches = 4;
+std::size_t patch_triangles(int segments) { return 32u * 2 * segments * segments - 8u * segments; }
+std::size_t ring_triangles(int segments) { return 4 * 2u * segments; }
+std::size_t closing_triangles(int segments) { return ring_triangles(segments) + 2 * 2u * (segments - 1); }
+
 TEST(Teapot, IsWoundLikeItsNormals) {
-  const Mesh mesh = make_teapot({6, 6});
+  const int segments = 6;
+  const Mesh mesh = make_teapot({segments, segments});
   validate(mesh);
-  EXPECT_EQ(mesh.positions.size(), 32u * 49);
-  EXPECT_EQ(mesh.triangles.size(), 32u * 72 - 8 * 6) << "the poles of knob and bottom have one triangle a quad";
-  for (const glm::uvec3& t : mesh.triangles) {
+  EXPECT_EQ(mesh.positions.size(), 36u * 49);
+  const std::size_t closing = patch_triangles(segments), inside_out = closing + closing_triangles(segments);
+  EXPECT_EQ(mesh.triangles.size(), inside_out + spout_patches * 72)
+      << "the poles of knob and bottom have one triangle a quad";
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     const glm::dvec3 area = glm::cross(b - a, c - a);
-    EXPECT_GT(glm::length(area), 1e-7) << "triangle " << (&t - mesh.triangles.data());
-    EXPECT_GT(glm::dot(area, glm::dvec3(mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z])), 0)
-        << "triangle " << (&t - mesh.triangles.data());
+    EXPECT_GT(glm::length(area), 1e-7) << "triangle " << i;
+    if (i >= closing && i < closing + ring_triangles(segments)) {
+      EXPECT_EQ(area.x, 0) << "triangle " << i;
+      EXPECT_EQ(area.z, 0) << "triangle " << i;
+      EXPECT_GT(area.y, 0) << "triangle " << i;
+    } else if (i < closing || i >= inside_out) {
+      EXPECT_GT(glm::dot(area, glm::dvec3(mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z])), 0)
+          << "triangle " << i;
+    }
   }
 }
 
-// Without gaps: the only edges that lie on one triangle alone are the open rings: the rim's inner one and the lid's,
-// the ends of handle and spout, and nothing else.
-TEST(Teapot, IsOpenOnlyAtItsSixRings) {
-  const int segments = 4;
-  const Mesh mesh = make_teapot({segments, segments});
-  const auto edges = testing::directed_edges(testing::weld(mesh.positions, mesh.triangles));
-  int open = 0;
-  for (const auto& [edge, count] : edges) {
-    EXPECT_EQ(count, 1) << edge[0] << "-" << edge[1];
-    if (!edges.contains({edge[1], edge[0]})) ++open;
+// Without gaps: but for the inner side of the spout, the only edges that lie on one triangle alone are the spout's
+// ends.
+TEST(Teapot, IsOpenOnlyAtTheEndsOfItsSpout) {
+  for (const int segments : {2, 4, 7}) {
+    Mesh mesh = make_teapot({segments, segments});
+    mesh.triangles.resize(patch_triangles(segments) + closing_triangles(segments));
+    const auto edges = testing::directed_edges(testing::weld(mesh.positions, mesh.triangles));
+    int open = 0;
+    for (const auto& [edge, count] : edges) {
+      EXPECT_EQ(count, 1) << edge[0] << "-" << edge[1];
+      if (!edges.contains({edge[1], edge[0]})) ++open;
+    }
+    EXPECT_EQ(open, 2 * 2 * segments);
   }
-  EXPECT_EQ(open, (2 * 4 + 4 * 2) * segments);
+}
+
+TEST(Teapot, EndsWithItsSpoutInsideOut) {
+  const int segments = 5;
+  const Mesh mesh = make_teapot({segments, segments});
+  const std::size_t vertices = 36, triangles = 2u * segments * segments;
+  for (std::size_t i = 0; i < spout_patches * vertices; ++i) {
+    const std::size_t outer = 28 * vertices + i, inner = 32 * vertices + i;
+    EXPECT_EQ(mesh.positions[inner], mesh.positions[outer]);
+    EXPECT_EQ(mesh.normals[inner], -mesh.normals[outer]);
+  }
+  const std::size_t first_inner = mesh.triangles.size() - spout_patches * triangles;
+  const std::size_t first_outer = patch_triangles(segments) - spout_patches * triangles;
+  const glm::uint shift = 4 * vertices;
+  for (std::size_t i = 0; i < spout_patches * triangles; ++i) {
+    const glm::uvec3 outer = mesh.triangles[first_outer + i] + shift;
+    EXPECT_EQ(mesh.triangles[first_inner + i], glm::uvec3(outer.x, outer.z, outer.y)) << "triangle " << i;
+  }
 }
 
 }  // namespace
