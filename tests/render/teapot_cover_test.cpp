@@ -13,6 +13,8 @@
 
 #include "host/render/frame/frame_plan.hpp"
 #include "host/scene/model/fitted_camera.hpp"
+#include "morphcl/mesh.hpp"
+#include "morphcl/planner.hpp"
 #include "morphcl/renderer.hpp"
 #include "morphcl/scene.hpp"
 #include "morphcl/solids.hpp"
