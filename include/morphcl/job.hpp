@@ -23,6 +23,7 @@ struct FrameResult {
   std::string error;        // one line, when failed
   int error_code = 0;       // the exit code of that error's kind
   double milliseconds = 0;  // drawing alone; 0 unless it was rendered
+  std::string drawn_by;     // Renderer::drawn_by(); "" unless it was rendered
 };
 
 enum class FrameFormat { exr, png };
