@@ -77,7 +77,9 @@ int compare_command(const CompareOptions& options) {
                  "a smaller size takes less");
   const OpenedRenderer opened = open_renderer(options.device);
   const Planner planner(scene);
+  auto left = static_cast<std::int64_t>(frames.size());
   for (const std::int64_t frame : frames) {
+    opened.renderer->expect_frames(left--);
     const Plan plan = planner.plan(frame);
     accuracy::check_comparable(*plan);
     FrameBuffer pixels = plan.make_frame();
@@ -86,14 +88,15 @@ int compare_command(const CompareOptions& options) {
     for (const Truth truth : truths(options.truth)) {
       const FrameDifference difference = accuracy::compare_with_fp64(scene, *plan, pixels, shown, truth);
       if (options.json)
-        print_difference_json(difference);
+        print_difference_json(difference, opened.renderer->drawn_by());
       else
-        print_difference_table(difference);
+        print_difference_table(difference, opened.renderer->drawn_by());
       files.add(difference);
     }
   }
   opened.store_programs();
   opened.warn_of_cache();
+  if (const std::string note = opened.note(); !note.empty()) print_message("note: " + note);
   files.finish();
   return exit_done;
 }
