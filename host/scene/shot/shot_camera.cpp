@@ -117,12 +117,20 @@ Camera model_camera(const ShotTable& table, MeshLibrary& library, Scene& scene) 
 }  // namespace
 
 ShotCamera read_camera(const ShotValue& value, TrackReader& tracks, MeshLibrary& library, Scene& scene) {
-  const ShotTable table = value.table({"model",
-                                       "name",
-                                       "animation",
+  const ShotTable table = value.table({"eye",
+                                       "target",
+                                       "up",
                                        "projection",
                                        "fovy_degrees",
                                        "fovx_degrees",
+                                       "near",
+                                       "far",
+                                       "view",
+                                       "distance",
+                                       "model",
+                                       "track",
+                                       "name",
+                                       "animation",
                                        "left",
                                        "right",
                                        "bottom",
@@ -136,15 +144,7 @@ ShotCamera read_camera(const ShotValue& value, TrackReader& tracks, MeshLibrary&
                                        "azimuth_degrees",
                                        "elevation_degrees",
                                        "corner",
-                                       "near",
-                                       "far",
-                                       "eye",
-                                       "target",
-                                       "up",
-                                       "view",
-                                       "distance",
-                                       "mark_vanishing_points",
-                                       "track"});
+                                       "mark_vanishing_points"});
   if (table.has("model")) return {model_camera(table, library, scene), false};
   for (const char* key : {"name", "animation"})
     if (const auto given = table.find(key)) given->fail(fmt::format("{} belongs to a camera out of a model", key));
