@@ -15,9 +15,9 @@ namespace {
 
 using testing::shared_session;
 
-using Values = Argument<cl_uint, "values", "uint">;
+using Words = Argument<cl_uint, "values", "uint">;
 
-BufferAs<Values> values_in(const SharedBuffer& buffer) { return BufferAs<Values>(buffer.buffer()); }
+BufferAs<Words> values_in(const SharedBuffer& buffer) { return BufferAs<Words>(buffer.buffer()); }
 
 const cl::CommandQueue& queue() { return queue_of(shared_session()); }
 
