@@ -24,6 +24,7 @@ std::uint16_t to_half(double value) {
   constexpr double overflow = 65520;  // half an ulp above the largest half
   if (std::isnan(value)) return static_cast<std::uint16_t>(sign | 0x7e00);
   if (size >= overflow) return static_cast<std::uint16_t>(sign | 0x7c00);
+  if (size == 0) return sign;  // which has no exponent
   int exponent = 0;
   std::frexp(size, &exponent);
   const int binade = std::max(exponent - 1, min_exponent);

@@ -233,6 +233,8 @@ TEST(ExtremeCase, HalfStorage) {
   EXPECT_EQ(from_half(to_half(1 + 0x1p-11)), 1) << "a tie goes to even";
   EXPECT_EQ(from_half(to_half(1 + 0x3p-11)), 1 + 0x1p-9) << "a tie goes to even";
   EXPECT_TRUE(std::isinf(from_half(to_half(65520))));
+  EXPECT_EQ(to_half(0.0), 0);
+  EXPECT_EQ(to_half(-0.0), 0x8000);
   EXPECT_EQ(from_half(to_half(-0x1p-24)), -0x1p-24);
 
   // About the middle of the range: half an ulp of a half of size 1 times the range's scale.
