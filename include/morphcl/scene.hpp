@@ -129,7 +129,8 @@ struct LoadOptions {
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw
 // them with nothing but the object: camera and lights of the file, else the fitted camera and the key light; frames 0
 // to the last one at or before the last key. The fitted camera is a perspective of 45 degrees from the direction
-// (1, 0.8, 1.7) that shows everything at every frame; the key light is white, from the direction (0.4, 0.7, 0.9).
+// (1, 0.8, 1.7); what is drawn, at all frames together, lies in the middle of the image and fills 80 % of its width or
+// height. The key light is white, from the direction (0.4, 0.7, 0.9).
 //
 // The result is valid. Errors: cannot_read when the file is missing or unreadable, bad_input when it or what it names
 // is wrong, usage for another extension or options out of range.

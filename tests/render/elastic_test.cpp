@@ -6,7 +6,7 @@
 #include "host/geometry/welded_mesh.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/frame/plan_digest.hpp"
-#include "host/render/plan/elastic_shapes.hpp"
+#include "host/scene/model/elastic_object.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/explain.hpp"
 #include "morphcl/renderer.hpp"

@@ -75,7 +75,7 @@ std::vector<glm::dvec3> directions_of_view() {
 // As near as the fitted camera goes.
 Cover cover_from_all_sides(Scene scene) {
   Cover sum;
-  scene.timeline.camera = fitted_camera(scene);
+  fit_camera(scene);
   const double distance = glm::length(scene.timeline.camera.eye - scene.timeline.camera.target);
   const glm::dvec3 target = scene.timeline.camera.target;
   for (const glm::dvec3& direction : directions_of_view()) {
@@ -106,7 +106,7 @@ TEST(TeapotCover, NothingShowsThroughTheFittedView) {
   Scene scene = one_pot(make_teapot({10, 10}));
   scene.image.width = 1280;
   scene.image.height = 960;
-  scene.timeline.camera = fitted_camera(scene);
+  fit_camera(scene);
   const Cover cover = cover_of(scene, 0);
   EXPECT_GT(cover.pixels, 100'000);
   EXPECT_EQ(cover.through, 0);

@@ -4,71 +4,92 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
+#include "morphcl/projection.hpp"
+#include "tests/scene/outline.hpp"
 #include "tests/scene/shot_folder.hpp"
 
 namespace morphcl {
 namespace {
 
+using test::expect_fills;
 using test::ShotFolder;
 
-struct Seen {
-  double width = 0, height = 0;             // largest |x| and |y| in NDC, over all vertices and frames
-  double nearest = INFINITY, farthest = 0;  // distance along the view axis
-};
-
-// What the camera of a scene sees of every vertex at every frame, by projecting each.
-Seen seen(const Scene& scene) {
-  Seen result;
-  const auto& perspective = std::get<Perspective>(scene.timeline.camera.projection);
-  const double slope = std::tan(perspective.fovy_degrees * M_PI / 360);
-  const double aspect = static_cast<double>(scene.image.width) / scene.image.height;
-  for (const std::int64_t frame : frame_numbers(scene.frames)) {
-    const FrameState state = evaluate(scene.timeline, frame);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const Mesh& mesh = scene.meshes[scene.objects[i].mesh];
-      const std::vector<double> weights = weights_at(scene.objects[i].morph, scene.timeline.time, frame);
-      for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        glm::dvec3 p(mesh.positions[v]);
-        if (!mesh.targets.empty()) p = glm::mix(p, glm::dvec3(mesh.targets[0].positions[v]), weights[0]);
-        const glm::dvec4 eye =
-            state.camera.world_to_eye * state.node_to_world[scene.objects[i].node] * glm::dvec4(p, 1);
-        const double distance = -eye.z;
-        result.width = std::max(result.width, std::abs(eye.x) / distance / slope / aspect);
-        result.height = std::max(result.height, std::abs(eye.y) / distance / slope);
-        result.nearest = std::min(result.nearest, distance);
-        result.farthest = std::max(result.farthest, distance);
-      }
-    }
+TEST(FittedCamera, FillsThePictureWithSolids) {
+  for (const char* mesh : {"cube", "sphere", "teapot", "torus", "grid", "pyramid_to_cube"}) {
+    SCOPED_TRACE(mesh);
+    expect_fills(ShotFolder().load(std::string("[[object]]\nmesh = \"") + mesh + "\"\n"));
   }
-  return result;
-}
-
-void expect_fits(const Scene& scene, double min_part) {
-  const Seen view = seen(scene);
-  const auto& perspective = std::get<Perspective>(scene.timeline.camera.projection);
-  constexpr double rounding = 1e-12;
-  EXPECT_LE(std::max(view.width, view.height), 0.7 + rounding);
-  EXPECT_GE(std::max(view.width, view.height), min_part);
-  EXPECT_GT(view.nearest, perspective.near);
-  EXPECT_LT(view.farthest, perspective.far);
-}
-
-TEST(FittedCamera, FillsSeventyPercentWithABox) {
-  // The bounds of a cube are the cube: its outermost corner is at 70 %.
-  expect_fits(ShotFolder().load(test::cube_object), 0.7 - 1e-6);
 }
 
 TEST(FittedCamera, FitsTheWidthOfATallImage) {
-  expect_fits(ShotFolder().load("[image]\nsize = [200, 1000]\n" + std::string(test::cube_object)), 0.7 - 1e-6);
+  const auto outline =
+      expect_fills(ShotFolder().load("[image]\nsize = [200, 1000]\n" + std::string(test::cube_object)));
+  EXPECT_GT(outline.upper.x - outline.lower.x, outline.upper.y - outline.lower.y);
 }
 
 TEST(FittedCamera, SeesEveryFrameOfWhatMoves) {
-  expect_fits(
+  expect_fills(
       ShotFolder().load("[[object]]\nmesh = \"pyramid_to_cube\"\n"
                         "[[object.track]]\ntarget = \"translation\"\nkeys = [[0, [0, 0, 0]], [100, [900, 20, -300]]]\n"
-                        "[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 0], [100, 1]]\n"),
-      0.6);
+                        "[[object.track]]\ntarget = \"morph.cube\"\nkeys = [[0, 0], [100, 1]]\n"));
+}
+
+// At one frame of 3,000 it is far outside of where it is at all others.
+TEST(FittedCamera, SeesASingleFrame) {
+  expect_fills(ShotFolder().load(std::string(test::cube_object) +
+                                 "[[object.track]]\ntarget = \"translation\"\ninterpolation = \"step\"\n"
+                                 "keys = [[0, [0, 0, 0]], [1777, [9, 2, 3]], [1778, [0, 0, 0]], [2999, [0, 0, 0]]]\n"));
+}
+
+TEST(FittedCamera, SeesTurningBelowAMovingParent) {
+  expect_fills(
+      ShotFolder().load("[[object]]\nmesh = \"teapot\"\n[[object.transform]]\ntranslate = [3, 0, 0]\n"
+                        "[[object.track]]\ntarget = \"rotation\"\nkeys = [[0, { axis = [0.2, 1, 0.1], degrees = 0 }],"
+                        " [100, { axis = [0.2, 1, 0.1], degrees = 300 }]]\n"
+                        "[[object.track]]\ntarget = \"scale\"\nkeys = [[0, [1, 1, 1]], [60, [1, 2, 0.5]]]\n"));
+}
+
+// The springs of the weights carry it over its target, so weights go below 0 and above 1.
+TEST(FittedCamera, SeesSpringsOvershoot) {
+  const Scene scene = ShotFolder().load(
+      "[[object]]\nmesh = \"sphere_to_cube\"\n[[object.track]]\ntarget = \"morph.cube\"\n"
+      "interpolation = \"spring\"\nfrequency = 2\ndamping_ratio = 0.05\nkeys = [[0, 0], [1, 3]]\n");
+  double heaviest = 0;
+  for (const std::int64_t frame : frame_numbers(scene.frames))
+    heaviest = std::max(heaviest, weights_at(scene.objects[0].morph, scene.timeline.time, frame)[0]);
+  EXPECT_GT(heaviest, 4);
+  expect_fills(scene);
+}
+
+TEST(FittedCamera, SeesElasticVertices) {
+  const Scene scene = ShotFolder().load(
+      "[[object]]\nmesh = \"pyramid_to_cube\"\n[object.elastic]\nanchor = 300\nstiffness = 500\ndamping = 1\n"
+      "[[object.track]]\ntarget = \"morph.cube\"\ninterpolation = \"step\"\nkeys = [[0, 0], [2, 1]]\n");
+  expect_fills(scene);
+}
+
+TEST(FittedCamera, LeavesOutVerticesThatNoTriangleNames) {
+  const ShotFolder folder;
+  folder.write("stray.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 900 0 0\nf 1 2 3\n");
+  const Scene scene = load_scene(folder.path("stray.obj"));
+  expect_fills(scene);
+  EXPECT_LT(scene.timeline.camera.eye.x, 10);
+}
+
+TEST(FittedCamera, FillsThePictureWithModelsOfOthers) {
+  const char* assets = std::getenv("MORPHCL_ASSETS");
+  if (!assets) GTEST_SKIP() << "MORPHCL_ASSETS is not set";
+  for (const char* name : {"gltf/Fox/Fox.glb", "gltf/AnimatedMorphSphere/glTF/AnimatedMorphSphere.gltf"}) {
+    SCOPED_TRACE(name);
+    LoadOptions options;
+    options.allow_outside = true;
+    const Scene scene = load_scene(std::string(assets) + "/" + name, options);
+    ASSERT_LT(scene.timeline.camera.node, 0);
+    expect_fills(scene);
+  }
 }
 
 TEST(FittedCamera, LooksFromTheSameSideWhateverTheSizeAndPlace) {

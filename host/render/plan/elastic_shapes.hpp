@@ -1,10 +1,12 @@
 // The shapes of a scene's elastic objects, frame by frame.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include "anim/elastic_body.hpp"
 #include "host/render/frame/displaced_positions.hpp"
 #include "morphcl/scene.hpp"
 
@@ -32,9 +34,5 @@ class ElasticShapes {
   std::unordered_map<std::size_t, Body> bodies_;
   Displacements displacements_;
 };
-
-// The masses and edges of an object's mesh, and where its weights drive them.
-SpringNet spring_net_of(const Mesh& mesh, const Elastic& elastic);
-MorphDrive drive_of(const Mesh& mesh, const MorphWeights& weights);
 
 }  // namespace morphcl

@@ -3,122 +3,148 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <variant>
 
 #include "anim/elastic.hpp"
 #include "anim/spring.hpp"
-#include "host/geometry/bounds.hpp"
+#include "anim/timeline_at.hpp"
+#include "host/scene/model/drawn_points.hpp"
+#include "host/scene/model/outline_fit.hpp"
 #include "morphcl/camera.hpp"
-#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 
 namespace {
 
-constexpr double fovy_degrees = 45, used_part = 0.7;
-constexpr std::size_t max_samples = 101, max_object_samples = 500'000;
-const glm::dvec3 view_from(1, 0.8, 1.7);
+constexpr double used_part = 0.8;  // of the picture's width or height
+// An eye nearer than this part of the scene's radius looks at a point, or along a line.
+constexpr double min_distance = 1e-3;
+// Of the scene's distance from the origin: what is smaller fp64 does not draw in its place.
+constexpr double min_radius = 1e-6;
 
-bool moves(const Scene& scene) {
-  const Timeline& timeline = scene.timeline;
-  const auto node_moves = [](const Node& node) {
-    return !node.translation_track.empty() || !node.rotation_track.empty() || !node.scale_track.empty() ||
-           !node.visible_track.empty();
-  };
-  const auto morphs = [](const Object& object) { return !object.morph.tracks.empty(); };
-  return std::any_of(timeline.nodes.begin(), timeline.nodes.end(), node_moves) ||
-         std::any_of(scene.objects.begin(), scene.objects.end(), morphs);
+// The corners of a cube of half-edge 1: what is looked at where nothing is drawn.
+glm::dvec3 farthest_corner(const glm::dmat3& to_eye_axes, const glm::dvec3& direction) {
+  const glm::dvec3 in_world = direction * to_eye_axes;
+  return to_eye_axes * glm::dvec3(in_world.x < 0 ? -1 : 1, in_world.y < 0 ? -1 : 1, in_world.z < 0 ? -1 : 1);
 }
 
-// Frames at which the bounds are taken.
-std::vector<std::int64_t> sample_frames(const Scene& scene) {
-  const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
-  if (!moves(scene)) return {frames.front()};
-  const std::size_t affordable = max_object_samples / std::max<std::size_t>(scene.objects.size(), 1);
-  const std::size_t samples = std::min(frames.size(), std::clamp<std::size_t>(affordable, 2, max_samples));
-  std::vector<std::int64_t> chosen;
-  for (std::size_t i = 0; i < samples; ++i)
-    chosen.push_back(frames[samples == 1 ? 0 : i * (frames.size() - 1) / (samples - 1)]);
-  return chosen;
-}
-
-// The support of a set of points in the directions that bound the view pyramid.
-class PyramidSupport {
+// Places the eye and fits the projection.
+class Fitter {
  public:
-  explicit PyramidSupport(const glm::dvec2& slope) : slope_(slope) {
-    reach_.fill(-std::numeric_limits<double>::infinity());
+  Fitter(const Farthest& points, const CameraFit& fit, double aspect)
+      : points_(points), fit_(fit), aspect_(aspect), depth_(extent_along(points, {0, 0, 1})) {
+    const Extent width = extent_along(points, {1, 0, 0}), height = extent_along(points, {0, 1, 0});
+    double farthest = 0;
+    for (const Extent& extent : {width, height, depth_})
+      farthest = std::max({farthest, std::abs(extent.lower), std::abs(extent.upper)});
+    radius_ =
+        std::max(0.5 * glm::length(glm::dvec3(width.size(), height.size(), depth_.size())), min_radius * farthest);
+    if (radius_ == 0) radius_ = 1;
   }
 
-  void include(const glm::dvec3& p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return;
-    box_.include(p);
-    const double x = p.x / slope_.x, y = p.y / slope_.y;
-    const std::array<double, 4> reached = {p.z + x, p.z - x, p.z + y, p.z - y};
-    for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = std::max(reach_[i], reached[i]);
+  const glm::dvec3& eye() const { return eye_; }
+  // The point in the middle of the scene's depth that is drawn in the middle.
+  glm::dvec3 target() const { return {eye_.x, eye_.y, depth_.center()}; }
+
+  void operator()(Perspective& lens) {
+    look_through(fitted_window(lens, aspect_).window);
+    set_distances(lens);
   }
-  const Box& box() const { return box_; }
-  // The eye from which the points just fit.
-  glm::dvec3 eye() const {
-    const double z = std::max(0.5 * reach_[0] + 0.5 * reach_[1], 0.5 * reach_[2] + 0.5 * reach_[3]);
-    return {slope_.x * (0.5 * reach_[0] - 0.5 * reach_[1]), slope_.y * (0.5 * reach_[2] - 0.5 * reach_[3]), z};
+  void operator()(HorizontalPerspective& lens) {
+    look_through(fitted_window(lens, aspect_).window);
+    set_distances(lens);
+  }
+  void operator()(Frustum& planes) {
+    const Window window = usual_window();
+    look_through(window);
+    set_distances(planes);
+    set_window(planes, window, planes.near);
+  }
+  void operator()(CentralProjection& planes) {
+    const Window window = usual_window();
+    look_through(window);
+    set_distances(planes);
+    planes.board = eye_.z - depth_.center();
+    set_window(planes, window, planes.board);
+  }
+  void operator()(Orthographic& planes) { look_along(planes, {0, 0}); }
+  void operator()(Oblique& planes) {
+    look_along(planes, {planes.shear.x, planes.shear.y});
+    planes.plane = eye_.z - depth_.center();
   }
 
  private:
-  glm::dvec2 slope_;
-  Box box_;
-  std::array<double, 4> reach_;
-};
+  // 45 degrees, on the plane at distance 1.
+  Window usual_window() const { return fitted_window(Perspective{}, aspect_).window; }
 
-void include(const Box& box, const glm::dmat4& matrix, PyramidSupport& support) {
-  for (int i = 0; i < 8; ++i) support.include(glm::dvec3(matrix * glm::dvec4(box.corner(i), 1.0)));
-}
-
-PyramidSupport support_of(const Scene& scene, const glm::dmat4& to_eye_axes, const glm::dvec2& slope) {
-  std::vector<MorphBounds> bounds;
-  bounds.reserve(scene.meshes.size());
-  for (const Mesh& mesh : scene.meshes) bounds.emplace_back(mesh);
-  PyramidSupport support(slope);
-  for (const std::int64_t frame : sample_frames(scene)) {
-    const FrameState state = evaluate(scene.timeline, frame);
-    for (const Object& object : scene.objects) {
-      const auto node = static_cast<std::size_t>(object.node);
-      if (!state.node_visible[node]) continue;
-      const Box box =
-          bounds[static_cast<std::size_t>(object.mesh)].at(weights_at(object.morph, scene.timeline.time, frame));
-      include(box, to_eye_axes * state.node_to_world[node], support);
-    }
+  void look_through(const Window& window) {
+    const glm::dvec2 half(0.5 * (window.right - window.left), 0.5 * (window.top - window.bottom));
+    const glm::dvec2 center(0.5 * (window.right + window.left), 0.5 * (window.top + window.bottom));
+    eye_ = fitted_eye(points_, center, used_part * half, 0);
+    // A point, or a line along the view, would be looked at from itself: keep the size of the thing as a distance.
+    if (eye_.z - depth_.upper < min_distance * radius_) eye_ = fitted_eye(points_, center, used_part * half, radius_);
   }
-  if (support.box().empty()) include({glm::dvec3(-1), glm::dvec3(1)}, to_eye_axes, support);
-  return support;
-}
+
+  // What lies d behind the plane through the middle of the depth is drawn d * shear away.
+  template <typename Planes>
+  void look_along(Planes& planes, const glm::dvec2& shear) {
+    const Extent across = extent_along(points_, {1, 0, -shear.x}), up = extent_along(points_, {0, 1, -shear.y});
+    eye_ = {across.center() + shear.x * depth_.center(), up.center() + shear.y * depth_.center(),
+            depth_.upper + radius_};
+    double half = 0.5 / used_part * std::max(up.size(), across.size() / aspect_);
+    if (half < min_distance * radius_) half = radius_;
+    set_distances(planes);
+    set_window(planes, {-half * aspect_, half * aspect_, -half, half}, 1);
+  }
+
+  // One that is given has the other on its side, even where it cuts all off.
+  template <typename Planes>
+  void set_distances(Planes& planes) const {
+    const double near = 0.5 * (eye_.z - depth_.upper), far = eye_.z - depth_.lower + radius_;
+    const double before_far = planes.far > 0 ? 0.5 * planes.far : planes.far - radius_;
+    if (fit_.near) planes.near = fit_.far || near < planes.far ? near : before_far;
+    if (fit_.far) planes.far = far > planes.near ? far : planes.near + radius_;
+  }
+
+  template <typename Planes>
+  static void set_window(Planes& planes, const Window& window, double scale) {
+    planes.left = scale * window.left;
+    planes.right = scale * window.right;
+    planes.bottom = scale * window.bottom;
+    planes.top = scale * window.top;
+    planes.fit = Fit::widen;
+  }
+
+  const Farthest& points_;
+  const CameraFit& fit_;
+  double aspect_;
+  Extent depth_;
+  double radius_ = 1;
+  glm::dvec3 eye_{0.0};
+};
 
 }  // namespace
 
-Camera fitted_camera(const Scene& scene) {
-  const glm::dmat4 axes(glm::dmat3(look_at(view_from, glm::dvec3(0), glm::dvec3(0, 1, 0)).world_to_eye));
-  const SinCos half = sin_cos_degrees(fovy_degrees / 2);
-  const double slope = used_part * half.sin / half.cos;
-  const PyramidSupport support = support_of(scene, axes, {slope * scene.image.width / scene.image.height, slope});
-
-  // A point, or a line along the view, would be looked at from itself: keep the size of the thing as a distance, or
-  // what fp64 can tell apart so far from the origin.
-  const Box& box = support.box();
-  const glm::dvec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));
-  double radius = std::max(sphere_of(box).radius, 1e-6 * std::max({reach.x, reach.y, reach.z}));
-  if (radius == 0) radius = 1;
-  glm::dvec3 eye = support.eye();
-  eye.z = std::max(eye.z, box.upper.z + radius);
-
-  const glm::dmat3 to_world = glm::transpose(glm::dmat3(axes));
-  Camera camera;
-  camera.projection = Perspective{
-      .fovy_degrees = fovy_degrees, .near = 0.5 * (eye.z - box.upper.z), .far = eye.z - box.lower.z + radius};
-  camera.eye = to_world * eye;
-  camera.target = to_world * glm::dvec3(eye.x, eye.y, box.center().z);
-  return camera;
+void fit_camera(Scene& scene, const CameraFit& fit) {
+  Camera& camera = scene.timeline.camera;
+  const glm::dmat3 to_eye_axes(look_along(glm::dvec3(0), -fit.towards_eye, camera.up).world_to_eye);
+  const DrawnPoints drawn(scene, to_eye_axes);
+  const Farthest points = [&](const glm::dvec3& direction) {
+    return drawn.empty() ? farthest_corner(to_eye_axes, direction) : drawn.farthest(direction);
+  };
+  // A field of view that moves is the first frame's.
+  if (!camera.fovy_track.empty() || !camera.fovx_track.empty()) {
+    const std::int64_t first = frame_numbers(scene.frames).front();
+    camera.projection = evaluate_camera(camera, glm::dmat4(1.0), tick_of(scene.timeline.time, first)).projection;
+  }
+  Fitter fitter(points, fit, static_cast<double>(scene.image.width) / scene.image.height);
+  std::visit(fitter, camera.projection);
+  const glm::dmat3 to_world = glm::transpose(to_eye_axes);
+  camera.eye = to_world * fitter.eye();
+  camera.target = to_world * fitter.target();
 }
 
 Light key_light() {
@@ -159,7 +185,7 @@ FrameRange animation_range(const Scene& scene, std::vector<std::string>& warning
 void complete_scene(Scene& scene, const Given& given) {
   if (!given.lights) scene.timeline.lights.push_back(key_light());
   if (!given.frames) scene.frames = {animation_range(scene, scene.warnings)};
-  if (!given.camera) scene.timeline.camera = fitted_camera(scene);
+  if (!given.camera) fit_camera(scene);
 }
 
 }  // namespace morphcl

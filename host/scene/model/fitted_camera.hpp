@@ -9,16 +9,18 @@
 
 namespace morphcl {
 
-// A three-quarter view that shows everything at every frame of scene.frames.
-//
-// Perspective, 45 degrees, from the direction (1, 0.8, 1.7), up y. The eye is the nearest one that keeps every object's
-// bounds within the middle 70 % of the image's width and height. Bounds are boxes of the morphed meshes (MorphBounds)
-// at up to 101 of the frames, evenly spread, the first and the last among them; fewer when there are very many objects.
-// Near and far leave room for what moves between them. An empty scene is looked at as a cube of half-edge 1.
-//
-// Method: in eye axes, a point (x, y, z) lies in the allowed pyramid of the eye e iff z + |y - e.y| / k <= e.z, and the
-// same for x; so only the maxima of z + y/k and z - y/k are kept, and they give the best e in closed form.
-Camera fitted_camera(const Scene& scene);
+// Where a fitted camera looks from, and what it leaves as it is.
+struct CameraFit {
+  glm::dvec3 towards_eye{1, 0.8, 1.7};  // of any length but 0
+  bool near = true, far = true;         // fitted too
+};
+
+// Places the scene's camera, whose projection and up direction are given, so that it shows everything at every frame of
+// scene.frames: what is drawn, at all frames together (DrawnPoints), lies in the middle of the picture and fills 80 %
+// of its width or of its height, whichever is filled first (outline_fit.hpp). Perspectives keep their field of view;
+// the windows of frustums and central projections show 45 degrees, those of parallel ones what is drawn. Near and far
+// leave room. An empty scene is looked at as a cube of half-edge 1.
+void fit_camera(Scene& scene, const CameraFit& fit = {});
 
 // White, from the direction (0.4, 0.7, 0.9).
 Light key_light();
