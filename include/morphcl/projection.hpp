@@ -88,7 +88,7 @@ struct HorizontalPerspective {
 // Six planes: left/right/bottom/top are measured on the near plane; near > 0; far > near, may be infinity.
 struct Frustum {
   double left = -1, right = 1, bottom = -1, top = 1, near = 1, far = 100;
-  Fit fit = Fit::stretch;
+  Fit fit = Fit::widen;
 };
 
 // The drawing board's perspective: the board stands across the view axis, `board` > 0 in front of the eye, and the
@@ -101,7 +101,7 @@ struct CentralProjection {
 // Six planes: far > near, both finite, near may be negative (then the volume reaches behind the eye).
 struct Orthographic {
   double left = -1, right = 1, bottom = -1, top = 1, near = 0, far = 100;
-  Fit fit = Fit::stretch;
+  Fit fit = Fit::widen;
 };
 
 // Oblique projectors (above). The planes are as for Orthographic. near, far and `plane` are distances along the view

@@ -23,12 +23,12 @@ glm::dvec3 image(const glm::dmat4& m, const glm::dvec3& p) {
 TEST(Errata, W1_OrthographicScaleHasNoNear) {
   const double left = -1, right = 1, near = 2, x = 1;
   EXPECT_EQ(2 * near / (right - left) * x, 2);
-  EXPECT_EQ(image(projection_matrix(Orthographic{left, right, -1, 1, near, 10}, 1), {x, 0, -3}).x, 1);
+  EXPECT_EQ(image(projection_matrix(Orthographic{left, right, -1, 1, near, 10, Fit::stretch}, 1), {x, 0, -3}).x, 1);
 }
 
 TEST(Errata, W2_BackFromThePicture) {
   const double x = 2, z = -4, e = 1;
-  const double p = image(projection_matrix(Frustum{-1, 1, -1, 1, e, 100}, 1), {x, 0, z}).x;
+  const double p = image(projection_matrix(Frustum{-1, 1, -1, 1, e, 100, Fit::stretch}, 1), {x, 0, z}).x;
   EXPECT_EQ(p, 0.5);
   EXPECT_EQ(-(p * e) / z, 1.0 / 8);
   EXPECT_EQ(-p * z / e, x);
@@ -37,11 +37,11 @@ TEST(Errata, W2_BackFromThePicture) {
 TEST(Errata, W3_ProportionsOfTheWindow) {
   const double left = -1, right = 3, x = 1;
   EXPECT_EQ(2 * (x + 1) / (right - left), 1);
-  EXPECT_EQ(image(projection_matrix(Frustum{left, right, -1, 1, 1, 100}, 1), {x, 0, -1}).x, 0);
+  EXPECT_EQ(image(projection_matrix(Frustum{left, right, -1, 1, 1, 100, Fit::stretch}, 1), {x, 0, -1}).x, 0);
 }
 
 TEST(Errata, W4_ClipSpaceIsNoCube) {
-  const glm::dvec4 clip = projection_matrix(Frustum{-1, 1, -1, 1, 1, 100}, 1) * glm::dvec4(3, 0, -4, 1);
+  const glm::dvec4 clip = projection_matrix(Frustum{-1, 1, -1, 1, 1, 100, Fit::stretch}, 1) * glm::dvec4(3, 0, -4, 1);
   EXPECT_GT(clip.x, 1) << "outside the cube of +-1";
   EXPECT_LE(clip.x, clip.w) << "and yet in the picture";
 }
@@ -53,7 +53,7 @@ TEST(Errata, W5_WidenedWindow) {
 }
 
 TEST(Errata, W6_WhatPerspectiveMapsToTheCube) {
-  const glm::dmat4 m = projection_matrix(Frustum{-1, 1, -1, 1, 1, 10}, 1);
+  const glm::dmat4 m = projection_matrix(Frustum{-1, 1, -1, 1, 1, 10, Fit::stretch}, 1);
   EXPECT_NEAR(image(m, {1, 1, -10}).x, 0.1, few_ulps) << "the far corner of a cuboid";
   EXPECT_NEAR(image(m, {10, 10, -10}).x, 1, few_ulps) << "the far corner of the frustum";
 }
@@ -68,14 +68,14 @@ TEST(Errata, W7_BasisVectorsAreColumns) {
 TEST(Errata, W8_CentreOfTheDepthRange) {
   const double near = 1, far = 3, w = -1, scale = -2 / (far - near);
   EXPECT_EQ(scale * (w - (near + far) / 2), 3);
-  EXPECT_EQ(image(projection_matrix(Orthographic{-1, 1, -1, 1, near, far}, 1), {0, 0, w}).z, -1);
+  EXPECT_EQ(image(projection_matrix(Orthographic{-1, 1, -1, 1, near, far, Fit::stretch}, 1), {0, 0, w}).z, -1);
 }
 
 TEST(Errata, W9_ShearBeforeScale) {
   const double left = 0, right = 4, near = 1;
   const double shear = (left + right) / (2 * near);
   EXPECT_EQ(shear, 2) << "entry (1, 3) of H S";
-  EXPECT_EQ(projection_matrix(Frustum{left, right, -1, 1, near, 10}, 1)[2][0], 1);
+  EXPECT_EQ(projection_matrix(Frustum{left, right, -1, 1, near, 10, Fit::stretch}, 1)[2][0], 1);
 }
 
 TEST(Errata, W10_ShearOfAnObliqueProjection) {
@@ -153,7 +153,7 @@ TEST(Errata, W17_StepsThatAddUp) {
 TEST(Errata, W18_FarMustBePositive) {
   const double near = 10, far = -10, z = -30;
   EXPECT_NEAR((-(far + near) / (far - near) * z + -2 * far * near / (far - near)) / -z, -1.0 / 3, few_ulps);
-  EXPECT_THROW(projection_matrix(Frustum{-10, 10, -10, 10, near, far}, 1), Error);
+  EXPECT_THROW(projection_matrix(Frustum{-10, 10, -10, 10, near, far, Fit::stretch}, 1), Error);
 }
 
 TEST(Errata, W19_TheCameraIsNotAddedUp) {

@@ -44,7 +44,7 @@ TEST(KnownValues, CentralProjectionOfAPoint) {
 }
 
 TEST(KnownValues, PyramidOnThePlaneOfThePicture) {
-  const glm::dmat4 m = projection_matrix(Orthographic{-1, 1, -1, 1, -200, 200}, 1);
+  const glm::dmat4 m = projection_matrix(Orthographic{-1, 1, -1, 1, -200, 200, Fit::stretch}, 1);
   for (const glm::dvec3& corner : pyramid) {
     const glm::dvec4 image = m * glm::dvec4(corner, 1);
     EXPECT_EQ(image.x, corner.x);
@@ -105,8 +105,8 @@ TEST(KnownValues, TeapotCentresInAFrustumAndABox) {
                        {"2/5", "-2/5", "9/10"}};
   for (std::size_t i = 0; i < 5; ++i) {
     const glm::dvec3 eye = world[i] - glm::dvec3(0, 0, 8);
-    const glm::dmat4 p = projection_matrix(Frustum{-2, 2, -2, 2, 3, 10}, 1);
-    const glm::dmat4 o = projection_matrix(Orthographic{-5, 5, -5, 5, -10, 10}, 1);
+    const glm::dmat4 p = projection_matrix(Frustum{-2, 2, -2, 2, 3, 10, Fit::stretch}, 1);
+    const glm::dmat4 o = projection_matrix(Orthographic{-5, 5, -5, 5, -10, 10, Fit::stretch}, 1);
     expect_point(transform_point(p, eye), frustum[i], "frustum", 1);
     expect_point(transform_point(o, eye), box[i], "box", 1);
   }
@@ -147,12 +147,12 @@ TEST(KnownValues, DepthBetweenOneAndThree) {
 }
 
 TEST(KnownValues, UnsymmetricFrustumAndBox) {
-  const glm::dmat4 f = projection_matrix(Frustum{-1, 3, -2, 1, 2, 10}, 1);
+  const glm::dmat4 f = projection_matrix(Frustum{-1, 3, -2, 1, 2, 10, Fit::stretch}, 1);
   expect_point(transform_point(f, {-1, -2, -2}), {"-1", "-1", "-1"}, "lower left near", 1);
   expect_point(transform_point(f, {3, 1, -2}), {"1", "1", "-1"}, "upper right near", 1);
   expect_point(transform_point(f, {15, 5, -10}), {"1", "1", "1"}, "upper right far", 1);
   expect_point(transform_point(f, {1, 1, -4}), {"-1/4", "2/3", "1/4"}, "inside", 1);
-  const glm::dmat4 o = projection_matrix(Orthographic{-1, 3, -2, 1, 2, 10}, 1);
+  const glm::dmat4 o = projection_matrix(Orthographic{-1, 3, -2, 1, 2, 10, Fit::stretch}, 1);
   expect_point(transform_point(o, {3, 1, -10}), {"1", "1", "1"}, "upper right far", 1);
   expect_point(transform_point(o, {1, 1, -4}), {"0", "1", "-1/2"}, "inside", 1);
 }

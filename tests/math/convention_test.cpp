@@ -49,8 +49,9 @@ TEST(Convention, ThereAndBackRestoresEachBit) {
 TEST(Convention, ThereAndBackRestoresProjections) {
   for (const Projection& p :
        {Projection(Perspective{45, 0.1, 100}), Projection(Perspective{45, 1e-6, 1e6}),
-        Projection(Perspective{90, 0.3, infinity}), Projection(Frustum{-1, 3, -2, 1, 2, 10}),
-        Projection(Orthographic{-0.3, 7, 1, 5, -3, 99}), Projection(Oblique{-1, 1, -1, 1, 0, 7, {0.3, 0.4}, 5})}) {
+        Projection(Perspective{90, 0.3, infinity}), Projection(Frustum{-1, 3, -2, 1, 2, 10, Fit::stretch}),
+        Projection(Orthographic{-0.3, 7, 1, 5, -3, 99, Fit::stretch}),
+        Projection(Oblique{-1, 1, -1, 1, 0, 7, {0.3, 0.4}, 5})}) {
     const glm::dmat4 own = projection_matrix(p, 1.5);
     for (const auto& [name, convention] : conventions)
       EXPECT_TRUE(same_bits(projection_from(convention, projection_to(convention, own)) + 0.0, own + 0.0))

@@ -58,7 +58,7 @@ TEST(Oblique, DrawsDepthAlongTheDirection) {
 
 TEST(Oblique, WithoutShearIsOrthographic) {
   const glm::dmat4 oblique = projection_matrix(Oblique{-1, 3, -2, 1, 2, 10, {}, 7, Fit::stretch}, 1),
-                   orthographic = projection_matrix(Orthographic{-1, 3, -2, 1, 2, 10}, 1);
+                   orthographic = projection_matrix(Orthographic{-1, 3, -2, 1, 2, 10, Fit::stretch}, 1);
   EXPECT_EQ(oblique, orthographic);
 }
 

@@ -22,7 +22,7 @@ void expect_image(const glm::dmat4& m, const glm::dvec3& eye_point, const glm::d
 }
 
 TEST(Frustum, GeneralWorkedExample) {
-  const glm::dmat4 m = matrix(Frustum{-1, 3, -2, 1, 2, 10});
+  const glm::dmat4 m = matrix(Frustum{-1, 3, -2, 1, 2, 10, Fit::stretch});
   expect_image(m, {-1, -2, -2}, {-1, -1, -1});
   expect_image(m, {3, 1, -2}, {1, 1, -1});
   expect_image(m, {15, 5, -10}, {1, 1, 1});
@@ -30,10 +30,10 @@ TEST(Frustum, GeneralWorkedExample) {
 }
 
 // Shear before scale: with l = 0, r = 4, n = 1 the entry of z in x is 1, not 2.
-TEST(Frustum, OffCentreEntry) { EXPECT_EQ(matrix(Frustum{0, 4, -1, 1, 1, 2})[2][0], 1); }
+TEST(Frustum, OffCentreEntry) { EXPECT_EQ(matrix(Frustum{0, 4, -1, 1, 1, 2, Fit::stretch})[2][0], 1); }
 
 TEST(Frustum, TeapotDepths) {
-  const glm::dmat4 m = matrix(Frustum{-2, 2, -2, 2, 3, 10});
+  const glm::dmat4 m = matrix(Frustum{-2, 2, -2, 2, 3, 10, Fit::stretch});
   expect_image(m, {0, 0, -5}, {0, 0, 1.0 / 7});
   expect_image(m, {2, 2, -6}, {0.5, 0.5, 3.0 / 7});
   expect_image(m, {-2, 2, -7}, {-3.0 / 7, 3.0 / 7, 31.0 / 49});
@@ -42,15 +42,15 @@ TEST(Frustum, TeapotDepths) {
 }
 
 TEST(Orthographic, GeneralWorkedExample) {
-  const glm::dmat4 m = matrix(Orthographic{-1, 3, -2, 1, 2, 10});
+  const glm::dmat4 m = matrix(Orthographic{-1, 3, -2, 1, 2, 10, Fit::stretch});
   expect_image(m, {3, 1, -10}, {1, 1, 1});
   expect_image(m, {1, 1, -4}, {0, 1, -0.5});
   // The x scale is 2 / (r - l) whatever near is.
-  expect_image(matrix(Orthographic{-1, 1, -1, 1, 2, 3}), {1, 0, -2}, {1, 0, -1});
+  expect_image(matrix(Orthographic{-1, 1, -1, 1, 2, 3, Fit::stretch}), {1, 0, -2}, {1, 0, -1});
 }
 
 TEST(Orthographic, TeapotDepthsWithNearBehindTheEye) {
-  const glm::dmat4 m = matrix(Orthographic{-5, 5, -5, 5, -10, 10});
+  const glm::dmat4 m = matrix(Orthographic{-5, 5, -5, 5, -10, 10, Fit::stretch});
   expect_image(m, {0, 0, -5}, {0, 0, 0.5});
   expect_image(m, {2, 2, -6}, {0.4, 0.4, 0.6});
   expect_image(m, {-2, 2, -7}, {-0.4, 0.4, 0.7});
@@ -59,7 +59,7 @@ TEST(Orthographic, TeapotDepthsWithNearBehindTheEye) {
 }
 
 TEST(Orthographic, PyramidOnThePlane) {
-  const glm::dmat4 m = matrix(Orthographic{0, 200, 0, 200, -200, 200});
+  const glm::dmat4 m = matrix(Orthographic{0, 200, 0, 200, -200, 200, Fit::stretch});
   const glm::dvec3 corners[] = {{50, 50, 30}, {150, 50, 30}, {150, 150, 30}, {50, 150, 30}, {100, 100, 100}};
   for (const glm::dvec3& corner : corners)
     expect_image(m, corner, {corner.x / 100 - 1, corner.y / 100 - 1, -corner.z / 200});
@@ -67,8 +67,8 @@ TEST(Orthographic, PyramidOnThePlane) {
 
 // Depth runs from -1 at near to +1 at far: smaller is nearer.
 TEST(Projection, DepthIsMinusOneAtNearAndOneAtFar) {
-  for (const Projection& p : {Projection(Frustum{-1, 1, -1, 1, 1, 3}), Projection(Perspective{60, 1, 3}),
-                              Projection(Orthographic{-1, 1, -1, 1, 1, 3})}) {
+  for (const Projection& p : {Projection(Frustum{-1, 1, -1, 1, 1, 3, Fit::stretch}), Projection(Perspective{60, 1, 3}),
+                              Projection(Orthographic{-1, 1, -1, 1, 1, 3, Fit::stretch})}) {
     const glm::dmat4 m = matrix(p);
     EXPECT_TRUE(within(transform_point(m, {0, 0, -1}).z, -1.0, point_bound)) << p.index();
     EXPECT_TRUE(within(transform_point(m, {0, 0, -3}).z, 1.0, point_bound)) << p.index();
@@ -76,7 +76,7 @@ TEST(Projection, DepthIsMinusOneAtNearAndOneAtFar) {
     EXPECT_EQ(far_distance(p), 3);
     EXPECT_EQ(is_parallel(p), std::holds_alternative<Orthographic>(p));
   }
-  expect_image(matrix(Frustum{-1, 1, -1, 1, 1, 3}), {0, 0, -1.5}, {0, 0, 0});
+  expect_image(matrix(Frustum{-1, 1, -1, 1, 1, 3, Fit::stretch}), {0, 0, -1.5}, {0, 0, 0});
 }
 
 TEST(Perspective, AspectIsWidthOverHeight) {
@@ -98,15 +98,17 @@ TEST(Frustum, RandomEntries) {
   for (int i = 0; i < 3000; ++i) {
     const double near = std::pow(10.0, random.in(-6, 6));
     const double left = random.in(-5, 5);
-    const Frustum f{left, left + std::pow(10.0, random.in(-9, 3)),        -1, 1,
-                    near, near * (1 + std::pow(10.0, random.in(-12, 14)))};
+    const double right = left + std::pow(10.0, random.in(-9, 3));
+    const double far = near * (1 + std::pow(10.0, random.in(-12, 14)));
+    const Frustum f{left, right, -1, 1, near, far, Fit::stretch};
     expect_perspective_entries(matrix(f), f, "frustum " + std::to_string(i));
   }
 }
 
 TEST(Frustum, NearAndFarAtTheEndsOfTheRange) {
-  for (const Frustum& f : {Frustum{-1, 1, -1, 1, 1e-300, 1e300}, Frustum{-1, 1, -1, 1, 1, 1e12},
-                           Frustum{-1, 1, -1, 1, 1e10, 1.7e308}, Frustum{-1, 1, -1, 1, 1, 1.0000000000000002}})
+  for (const Frustum& f :
+       {Frustum{-1, 1, -1, 1, 1e-300, 1e300, Fit::stretch}, Frustum{-1, 1, -1, 1, 1, 1e12, Fit::stretch},
+        Frustum{-1, 1, -1, 1, 1e10, 1.7e308, Fit::stretch}, Frustum{-1, 1, -1, 1, 1, 1.0000000000000002, Fit::stretch}})
     expect_perspective_entries(matrix(f), f, "far " + std::to_string(f.far));
 }
 
@@ -121,7 +123,7 @@ TEST(Perspective, RandomFieldsOfView) {
 
 TEST(Projection, InfiniteFarPlane) {
   for (const Projection& p :
-       {Projection(Frustum{-1, 1, -1, 1, 0.5, infinity}), Projection(Perspective{90, 0.5, infinity})}) {
+       {Projection(Frustum{-1, 1, -1, 1, 0.5, infinity, Fit::stretch}), Projection(Perspective{90, 0.5, infinity})}) {
     const glm::dmat4 m = matrix(p);
     EXPECT_EQ(m[2][2], -1);
     EXPECT_EQ(m[3][2], -1);
@@ -140,8 +142,9 @@ TEST(ReversedDepth, ExactlyOneAtNearWithInfiniteFar) {
 }
 
 TEST(ReversedDepth, OneAtNearAndZeroAtFar) {
-  for (const Projection& p : {Projection(Frustum{-1, 1, -1, 1, 0.3, 700}), Projection(Perspective{60, 0.3, 700}),
-                              Projection(Orthographic{-1, 1, -1, 1, 0.3, 700})}) {
+  for (const Projection& p :
+       {Projection(Frustum{-1, 1, -1, 1, 0.3, 700, Fit::stretch}), Projection(Perspective{60, 0.3, 700}),
+        Projection(Orthographic{-1, 1, -1, 1, 0.3, 700, Fit::stretch})}) {
     const glm::dmat4 m = reversed_depth_matrix(p, 1);
     EXPECT_TRUE(within(transform_point(m, {0, 0, -0.3}).z, 1.0, point_bound)) << p.index();
     EXPECT_TRUE(within(transform_point(m, {0, 0, -700}).z, 0.0, point_bound)) << p.index();
@@ -202,17 +205,18 @@ TEST(Projection, DegenerateOnesAreErrorsThatNameTheParameter) {
   for (const double fovy : {0.0, 180.0, -1.0, nan}) refuses(Perspective{fovy, 1, 2}, "fovy_degrees is");
   for (const double near : {0.0, -1.0, nan, infinity}) refuses(Perspective{45, near, 2}, "near is");
   for (const double far : {1.0, 0.5, nan, -10.0}) refuses(Perspective{45, 1, far}, "far is");
-  refuses(Frustum{-10, 10, -10, 10, 10, -10}, "far is -10; it must be greater than near");
-  refuses(Frustum{1, 1, -1, 1, 1, 2}, "right is");
-  refuses(Frustum{nan, 1, -1, 1, 1, 2}, "left is");
-  refuses(Frustum{-1, 1, 1, -1, 1, 2}, "top is");
-  refuses(Frustum{-1.7e308, 1.7e308, -1, 1, 1, 2}, "right is");
-  refuses(Orthographic{-1, 1, -1, 1, 2, 2}, "far is");
-  refuses(Orthographic{-1, 1, -1, 1, 0, infinity}, "far is");
-  refuses(Orthographic{-1, 1, -infinity, 1, 0, 1}, "bottom is");
+  refuses(Frustum{-10, 10, -10, 10, 10, -10, Fit::stretch}, "far is -10; it must be greater than near");
+  refuses(Frustum{1, 1, -1, 1, 1, 2, Fit::stretch}, "right is");
+  refuses(Frustum{nan, 1, -1, 1, 1, 2, Fit::stretch}, "left is");
+  refuses(Frustum{-1, 1, 1, -1, 1, 2, Fit::stretch}, "top is");
+  refuses(Frustum{-1.7e308, 1.7e308, -1, 1, 1, 2, Fit::stretch}, "right is");
+  refuses(Orthographic{-1, 1, -1, 1, 2, 2, Fit::stretch}, "far is");
+  refuses(Orthographic{-1, 1, -1, 1, 0, infinity, Fit::stretch}, "far is");
+  refuses(Orthographic{-1, 1, -infinity, 1, 0, 1, Fit::stretch}, "bottom is");
   expect_error([] { projection_matrix(Perspective{}, 0); }, ErrorKind::usage, "aspect");
   expect_error([&] { projection_matrix(Perspective{}, nan); }, ErrorKind::usage, "aspect");
-  expect_error([] { projection_matrix(Frustum{0, 1e-320, 0, 1, 1, 2}, 1); }, ErrorKind::usage, "overflows");
+  expect_error([] { projection_matrix(Frustum{0, 1e-320, 0, 1, 1, 2, Fit::stretch}, 1); }, ErrorKind::usage,
+               "overflows");
   expect_error([] { fovy_from_fovx_degrees(180, 1); }, ErrorKind::usage, "fovx_degrees");
   for (const double eye : {0.0, nan, infinity})
     expect_error([&] { central_projection(eye); }, ErrorKind::usage, "eye_z");

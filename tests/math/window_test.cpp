@@ -76,7 +76,7 @@ TEST(Window, IsWhatAProjectionShows) {
 // The matrix of a fitted window is that of the window which it is fitted to.
 TEST(Window, FitsTheMatrix) {
   const glm::dmat4 fitting = projection_matrix(Frustum{-1, 1, -1, 1, 2, 9, Fit::widen}, 3),
-                   plain = projection_matrix(Frustum{-3, 3, -1, 1, 2, 9}, 1);
+                   plain = projection_matrix(Frustum{-3, 3, -1, 1, 2, 9, Fit::stretch}, 1);
   EXPECT_EQ(fitting, plain);
 }
 

@@ -41,9 +41,11 @@ TEST(ShotCamera, CentralProjectionHasItsBoardInTheTarget) {
   EXPECT_EQ(p.fit, Fit::widen);
 }
 
-TEST(ShotCamera, SixPlanesAreStretchedUnlessTheyAreToFit) {
-  EXPECT_EQ(projection<Orthographic>("projection = \"orthographic\"").fit, Fit::stretch);
-  EXPECT_EQ(projection<Frustum>("projection = \"frustum\"\nfit = \"widen\"").fit, Fit::widen);
+TEST(ShotCamera, WindowsAreWidenedUnlessToldOtherwise) {
+  for (const char* kind : {"orthographic", "isometric"})
+    EXPECT_EQ(projection<Orthographic>("left = -3\nprojection = \"" + std::string(kind) + "\"").fit, Fit::widen);
+  EXPECT_EQ(projection<Frustum>("left = -3\nprojection = \"frustum\"").fit, Fit::widen);
+  EXPECT_EQ(projection<Frustum>("left = -3\nprojection = \"frustum\"\nfit = \"stretch\"").fit, Fit::stretch);
   EXPECT_EQ(projection<Orthographic>("projection = \"isometric\"\nfit = \"crop\"").fit, Fit::crop);
 }
 
