@@ -50,6 +50,12 @@ void add_model_options(CLI::App& command, SceneOptions& scene) {
          "Of a glTF model (morphcl info lists them); default: all, or the first where several move the same");
   choice("--camera", scene.camera, "Of a glTF model; default: the first of its scene");
   choice("--scene", scene.scene, "Of a glTF model; default: the file's own");
+  command
+      .add_option("--view", scene.view,
+                  "Side that a fitted camera looks from: three_quarter, front, back, left, right, top, bottom; "
+                  "default: the shot's, three_quarter for a model without a camera")
+      ->type_name("NAME")
+      ->group("Input");
   command.add_flag("--allow-outside", scene.allow_outside, "Let the shot or model use files outside its own folder")
       ->group("Input");
 }

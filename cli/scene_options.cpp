@@ -14,6 +14,7 @@ Scene open_scene(const SceneOptions& options) {
   load.animation = options.animation;
   load.camera = options.camera;
   load.scene = options.scene;
+  load.view = options.view;
   load.stop = &stop_requested();
   if (options.fps) load.fps = parse_fps(*options.fps);
   ImageSettings checked;  // so that a wrong option is reported before a large file is read

@@ -17,6 +17,7 @@ struct SceneOptions {
   std::optional<std::string> depth_buffer;              // "fixed24"
   std::optional<std::string> fps;                       // "25", "30000/1001"
   std::optional<std::string> animation, camera, scene;  // of a glTF model, by name or index
+  std::optional<std::string> view;                      // "front"
   bool allow_outside = false;
 };
 

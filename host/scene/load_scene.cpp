@@ -9,6 +9,7 @@
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/authored_camera.hpp"
 #include "host/scene/model/fitted_camera.hpp"
+#include "host/scene/model/named_view.hpp"
 #include "host/scene/model/scene_warnings.hpp"
 #include "host/scene/obj/obj_import.hpp"
 #include "host/scene/shot/shot_file.hpp"
@@ -31,13 +32,15 @@ Scene scene_of(ImportedModel model, const LoadOptions& options) {
   scene.timeline.lights = std::move(model.lights);
   scene.image.width = options.width.value_or(scene.image.width);
   scene.image.height = options.height.value_or(scene.image.height);
-  const bool has_camera = model.camera.has_value();
+  const bool has_camera = model.camera.has_value() && !options.view;
   if (has_camera) {
     scene.timeline.camera = *model.camera;
     keep_authored_view(scene.timeline.camera, model.camera_aspect,
                        static_cast<double>(scene.image.width) / scene.image.height);
   }
-  complete_scene(scene, {.camera = has_camera, .lights = !scene.timeline.lights.empty(), .frames = false});
+  CameraFit fit;
+  if (options.view) fit.view = needed_view(*options.view);
+  complete_scene(scene, {.camera = has_camera, .lights = !scene.timeline.lights.empty(), .frames = false}, fit);
   return scene;
 }
 
@@ -47,6 +50,9 @@ void check_options(const LoadOptions& options) {
   scene.timeline.time = options.fps.value_or(scene.timeline.time);
   scene.image.width = options.width.value_or(scene.image.width);
   scene.image.height = options.height.value_or(scene.image.height);
+  if (options.view) needed_view(*options.view);
+  if (options.view && options.camera)
+    throw Error(ErrorKind::usage, "", "--camera takes a model's own camera and --view fits one; give one of the two");
   try {
     validate(scene);
   } catch (const Error& error) {

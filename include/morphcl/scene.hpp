@@ -130,6 +130,10 @@ struct LoadOptions {
 // them with nothing but the object: camera and lights of the file, else the fitted camera and the key light; frames 0
 // to the last one at or before the last key. The fitted camera is a perspective of 45 degrees from the direction
 // (1, 0.8, 1.7); what is drawn, at all frames together, lies in the middle of the image and fills 80 % of its width or
+  // The side that a fitted camera looks from: three_quarter, front, back, left, right, top or bottom; otherwise what
+  // the shot's [camera] says, else three_quarter. A model's own camera is not used then. Error(usage) for another name,
+  // beside `camera`, and for a shot that says itself where its camera stands.
+  std::optional<std::string> view = {};
 // height. The key light is white, from the direction (0.4, 0.7, 0.9).
 //
 // The result is valid. Errors: cannot_read when the file is missing or unreadable, bad_input when it or what it names

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double used_part = 0.8;  // of the picture's width or height
 // An eye nearer than this part of the scene's radius looks at a point, or along a line.
-constexpr double min_distance = 1e-3;
+constexpr double min_distance_in_radii = 1e-3;
 // Of the scene's distance from the origin: what is smaller fp64 does not draw in its place.
 constexpr double min_radius = 1e-6;
 
@@ -85,7 +85,8 @@ class Fitter {
     const glm::dvec2 center(0.5 * (window.right + window.left), 0.5 * (window.top + window.bottom));
     eye_ = fitted_eye(points_, center, used_part * half, 0);
     // A point, or a line along the view, would be looked at from itself: keep the size of the thing as a distance.
-    if (eye_.z - depth_.upper < min_distance * radius_) eye_ = fitted_eye(points_, center, used_part * half, radius_);
+    if (eye_.z - depth_.upper < min_distance_in_radii * radius_)
+      eye_ = fitted_eye(points_, center, used_part * half, radius_);
   }
 
   // What lies d behind the plane through the middle of the depth is drawn d * shear away.
@@ -95,7 +96,7 @@ class Fitter {
     eye_ = {across.center() + shear.x * depth_.center(), up.center() + shear.y * depth_.center(),
             depth_.upper + radius_};
     double half = 0.5 / used_part * std::max(up.size(), across.size() / aspect_);
-    if (half < min_distance * radius_) half = radius_;
+    if (half < min_distance_in_radii * radius_) half = radius_;
     set_distances(planes);
     set_window(planes, {-half * aspect_, half * aspect_, -half, half}, 1);
   }
@@ -115,7 +116,6 @@ class Fitter {
     planes.right = scale * window.right;
     planes.bottom = scale * window.bottom;
     planes.top = scale * window.top;
-    planes.fit = Fit::widen;
   }
 
   const Farthest& points_;
@@ -130,7 +130,7 @@ class Fitter {
 
 void fit_camera(Scene& scene, const CameraFit& fit) {
   Camera& camera = scene.timeline.camera;
-  const glm::dmat3 to_eye_axes(look_along(glm::dvec3(0), -fit.towards_eye, camera.up).world_to_eye);
+  const glm::dmat3 to_eye_axes(look_along(glm::dvec3(0), -fit.view.towards_eye, fit.view.up).world_to_eye);
   const DrawnPoints drawn(scene, to_eye_axes);
   const Farthest points = [&](const glm::dvec3& direction) {
     return drawn.empty() ? farthest_corner(to_eye_axes, direction) : drawn.farthest(direction);
@@ -143,6 +143,7 @@ void fit_camera(Scene& scene, const CameraFit& fit) {
   Fitter fitter(points, fit, static_cast<double>(scene.image.width) / scene.image.height);
   std::visit(fitter, camera.projection);
   const glm::dmat3 to_world = glm::transpose(to_eye_axes);
+  camera.up = fit.view.up;
   camera.eye = to_world * fitter.eye();
   camera.target = to_world * fitter.target();
 }
@@ -182,10 +183,10 @@ FrameRange animation_range(const Scene& scene, std::vector<std::string>& warning
   return {.first = 0, .last = max_frame_count - 1, .step = 1};
 }
 
-void complete_scene(Scene& scene, const Given& given) {
+void complete_scene(Scene& scene, const Given& given, const CameraFit& fit) {
   if (!given.lights) scene.timeline.lights.push_back(key_light());
   if (!given.frames) scene.frames = {animation_range(scene, scene.warnings)};
-  if (!given.camera) fit_camera(scene);
+  if (!given.camera) fit_camera(scene, fit);
 }
 
 }  // namespace morphcl

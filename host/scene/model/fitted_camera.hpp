@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/model/named_view.hpp"
+#include "morphcl/camera.hpp"
 #include "morphcl/scene.hpp"
 #include "morphcl/timeline.hpp"
 
@@ -11,11 +13,11 @@ namespace morphcl {
 
 // Where a fitted camera looks from, and what it leaves as it is.
 struct CameraFit {
-  glm::dvec3 towards_eye{1, 0.8, 1.7};  // of any length but 0
-  bool near = true, far = true;         // fitted too
+  ViewDirection view = needed_view(view_names[0]);
+  bool near = true, far = true;  // fitted too
 };
 
-// Places the scene's camera, whose projection and up direction are given, so that it shows everything at every frame of
+// Places the scene's camera, whose projection is given, so that it shows everything at every frame of
 // scene.frames: what is drawn, at all frames together (DrawnPoints), lies in the middle of the picture and fills 80 %
 // of its width or of its height, whichever is filled first (outline_fit.hpp). Perspectives keep their field of view;
 // the windows of frustums and central projections show 45 degrees, those of parallel ones what is drawn. Near and far
@@ -29,10 +31,10 @@ Light key_light();
 // it has settled. Frame 0 alone when nothing moves. At most 1,000,000 frames: `warnings` then gets a line.
 FrameRange animation_range(const Scene& scene, std::vector<std::string>& warnings);
 
-// Adds to a scene that is complete otherwise what is not `given`.
+// Adds to a scene that is complete otherwise what is not `given`: the camera by fit_camera().
 struct Given {
   bool camera, lights, frames;
 };
-void complete_scene(Scene& scene, const Given& given);
+void complete_scene(Scene& scene, const Given& given, const CameraFit& fit = {});
 
 }  // namespace morphcl

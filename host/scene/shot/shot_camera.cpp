@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "host/math/direction.hpp"
 #include "host/scene/model/authored_camera.hpp"
+#include "host/scene/model/named_view.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "host/scene/shot/shot_projection.hpp"
 #include "host/scene/shot/vanishing_marks.hpp"
@@ -20,27 +24,55 @@ namespace {
 
 constexpr double standard_distance = 10;  // from the target, of cameras that are placed by a direction
 
-PrincipalView read_view(const ShotValue& value) {
-  const std::string& name = value.text();
-  if (name == "front") return PrincipalView::front;
-  if (name == "back") return PrincipalView::back;
-  if (name == "left") return PrincipalView::left;
-  if (name == "right") return PrincipalView::right;
-  if (name == "top") return PrincipalView::top;
-  if (name == "bottom") return PrincipalView::bottom;
-  value.fail(fmt::format("unknown view \"{}\"{}", name,
-                         suggestion(name, {"front", "back", "left", "right", "top", "bottom"})));
+// Where the camera stands is left to fit_camera() unless one of these keys or tracks says it.
+bool is_placed(const ShotTable& table) {
+  for (const char* key : {"eye", "target", "distance", "left", "right", "bottom", "top"})
+    if (table.has(key)) return true;
+  bool moves = false;
+  table.for_each("track", [&](const ShotValue& track) {
+    const std::string& target = TrackReader::target(TrackReader::table(track)).text();
+    moves |= target == "eye" || target == "target" || target == "up";
+  });
+  return moves;
 }
 
-// The direction that the table gives by a name instead of eye and up, if any.
+ViewDirection read_view(const ShotValue& value) {
+  if (const auto view = view_named(value.text())) return *view;
+  value.fail(no_such_view(value.text()));
+}
+
+glm::dvec3 read_up(const ShotTable& table) {
+  const auto up = table.find("up");
+  if (!up) return {0, 1, 0};
+  const glm::dvec3 vector = up->vector();
+  if (vector == glm::dvec3(0.0)) up->fail("up is [0, 0, 0]; it must have a direction");
+  return vector;
+}
+
+// The direction that the table gives instead of an eye, by its name or by a vector, if any.
 std::optional<ViewDirection> read_direction(const ShotTable& table, const ProjectionKind& kind) {
   if (kind.form == ProjectionForm::axonometric) return read_axonometric_direction(table, kind);
-  const auto view = table.find("view");
-  if (!view) return std::nullopt;
-  for (const char* key : {"eye", "up"})
-    if (const auto value = table.find(key))
-      value->fail(fmt::format("view says where the camera stands; {} must not be given", key));
-  return view_direction(read_view(*view));
+  const auto view = table.find("view"), direction = table.find("direction");
+  const auto refuse = [&](const char* given, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto value = table.find(key))
+        value->fail(fmt::format("{} says where the camera stands; {} must not be given", given, key));
+  };
+  if (view) {
+    refuse("view", {"eye", "up", "direction"});
+    return read_view(*view);
+  }
+  if (!direction) return std::nullopt;
+  refuse("direction", {"eye"});
+  const glm::dvec3 towards_eye = direction->vector();
+  if (towards_eye == glm::dvec3(0.0))
+    direction->fail("direction is [0, 0, 0]; it must point from the target to the eye");
+  return ViewDirection{unit(towards_eye), read_up(table)};
+}
+
+// Drawings show a side in its true shape.
+std::string_view usual_view(const ProjectionKind& kind) {
+  return kind.form == ProjectionForm::central || kind.form == ProjectionForm::oblique ? "front" : "three_quarter";
 }
 
 // Places the camera; returns its distance from the target.
@@ -60,10 +92,7 @@ double place_at_eye(const ShotTable& table, Camera& camera) {
   if (const auto eye = table.find("eye")) camera.eye = eye->vector();
   if (camera.eye == camera.target)
     (table.has("eye") ? table.need("eye") : table.need("target")).fail("eye and target are the same point");
-  if (const auto up = table.find("up")) {
-    camera.up = up->vector();
-    if (camera.up == glm::dvec3(0.0)) up->fail("up is [0, 0, 0]; it must have a direction");
-  }
+  camera.up = read_up(table);
   return glm::length(camera.eye - camera.target);
 }
 
@@ -114,9 +143,16 @@ Camera model_camera(const ShotTable& table, MeshLibrary& library, Scene& scene) 
   return *std::move(model.camera);
 }
 
+void refuse_view(const std::optional<std::string>& view, const ShotValue& camera, const char* why) {
+  if (view)
+    throw Error(ErrorKind::usage, camera.place(),
+                fmt::format("--view turns a fitted camera; the shot's {}, so leave --view out", why));
+}
+
 }  // namespace
 
-ShotCamera read_camera(const ShotValue& value, TrackReader& tracks, MeshLibrary& library, Scene& scene) {
+ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>& view, TrackReader& tracks,
+                       MeshLibrary& library, Scene& scene) {
   const ShotTable table = value.table({"model",
                                        "name",
                                        "animation",
@@ -142,23 +178,51 @@ ShotCamera read_camera(const ShotValue& value, TrackReader& tracks, MeshLibrary&
                                        "target",
                                        "up",
                                        "view",
+                                       "direction",
                                        "distance",
                                        "mark_vanishing_points",
                                        "track"});
-  if (table.has("model")) return {model_camera(table, library, scene), false};
+  if (table.has("model")) {
+    refuse_view(view, value, "is a model's");
+    return {model_camera(table, library, scene), false};
+  }
   for (const char* key : {"name", "animation"})
     if (const auto given = table.find(key)) given->fail(fmt::format("{} belongs to a camera out of a model", key));
-  Camera camera;
   const ProjectionKind kind = read_projection_kind(table);
-  if (const auto target = table.find("target")) camera.target = target->vector();
+  const bool placed = is_placed(table);
+  if (placed) refuse_view(view, value, "says itself where it stands");
+  if (kind.form == ProjectionForm::axonometric) refuse_view(view, value, "has the direction of its projection");
   const std::optional<ViewDirection> direction = read_direction(table, kind);
-  const double distance = direction ? place_along(*direction, table, camera) : place_at_eye(table, camera);
-  camera.projection = read_projection(table, kind, distance);
+  ShotCamera result;
+  Camera& camera = result.camera;
+  double distance = standard_distance;
+  if (placed) {
+    if (const auto target = table.find("target")) camera.target = target->vector();
+    distance = direction ? place_along(*direction, table, camera) : place_at_eye(table, camera);
+  } else {
+    CameraFit& fit = result.fit.emplace();
+    fit.view = view ? needed_view(*view) : direction.value_or(needed_view(usual_view(kind)));
+    if (!view && !direction && table.has("up")) fit.view.up = read_up(table);
+    fit.near = !table.has("near");
+    fit.far = !table.has("far");
+  }
+  camera.projection = read_projection(table, kind, distance, placed);
   placed_at(table.value(), [&] { validate(camera.projection); });
   table.for_each("track",
                  [&](const ShotValue& track) { read_camera_track(track, direction.has_value(), tracks, camera); });
-  const bool marks = marks_vanishing_points(table, camera);
-  return {std::move(camera), marks};
+  if (result.fit) {
+    result.fit->near &= camera.near_track.empty();
+    result.fit->far &= camera.far_track.empty();
+  }
+  result.marks_vanishing_points = marks_vanishing_points(table, camera);
+  return result;
+}
+
+ShotCamera fitted_shot_camera(const std::optional<std::string>& view) {
+  ShotCamera result;
+  CameraFit& fit = result.fit.emplace();
+  if (view) fit.view = needed_view(*view);
+  return result;
 }
 
 }  // namespace morphcl

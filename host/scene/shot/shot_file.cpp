@@ -51,7 +51,7 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   limits.allow_outside = options.allow_outside;
   limits.stop = options.stop;
   MeshLibrary library(path, scene.timeline.time, limits);
-  if (camera) shot_camera = read_camera(*camera, tracks, library, scene);
+  shot_camera = camera ? read_camera(*camera, options.view, tracks, library, scene) : fitted_shot_camera(options.view);
   scene.timeline.camera = std::move(shot_camera.camera);
   shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
 
@@ -64,7 +64,9 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   scene.parts = library.parts();
   scene.warnings.insert(scene.warnings.end(), library.warnings().begin(), library.warnings().end());
   scene.inputs = library.inputs();
-  complete_scene(scene, {.camera = camera.has_value(), .lights = shot.has("light"), .frames = !scene.frames.empty()});
+  complete_scene(scene,
+                 {.camera = !shot_camera.fit, .lights = shot.has("light"), .frames = !scene.frames.empty()},
+                 shot_camera.fit.value_or(CameraFit{}));
   if (shot_camera.marks_vanishing_points) add_vanishing_marks(scene);
 
   ContentHash hash;

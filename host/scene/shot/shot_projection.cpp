@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ const std::vector<KeyUse>& key_uses() {
       {"eye", placed},
       {"up", placed},
       {"view", placed},
+      {"direction", placed},
   };
   return uses;
 }
@@ -75,9 +77,21 @@ void refuse_both(const ShotTable& table, const char* key, const char* other) {
     table.need(other).fail(fmt::format("{} and {} are both given; one says it all", key, other));
 }
 
-void read_near_far(const ShotTable& table, bool perspective, double& near, double& far) {
+struct Distances {
+  bool perspective;
+  bool placed;  // what is not given is the default's; else it will be fitted
+};
+
+void read_near_far(const ShotTable& table, const Distances& distances, double& near, double& far) {
+  const bool perspective = distances.perspective;
   if (const auto value = table.find("near")) near = perspective ? value->positive() : value->number();
   if (const auto value = table.find("far")) far = perspective ? value->number_or_infinity() : value->number();
+  if (!distances.placed && table.has("near") != table.has("far") && !(near < far)) {
+    if (table.has("near"))
+      far = near + std::abs(near) + 1;
+    else
+      near = far > 0 ? 0.5 * far : far - std::abs(far) - 1;
+  }
   if (!(near < far))
     place_for(table, "far", "near")
         .fail(fmt::format("near is {} and far is {}; far must be greater than near", near, far));
@@ -106,24 +120,24 @@ void read_window(const ShotTable& table, SixPlanes& planes) {
   if (const auto fit = table.find("fit")) planes.fit = read_fit(*fit);
 }
 
-Projection read_perspective(const ShotTable& table) {
+Projection read_perspective(const ShotTable& table, bool placed) {
   refuse_both(table, "fovy_degrees", "fovx_degrees");
   if (const auto fovx = table.find("fovx_degrees")) {
     HorizontalPerspective perspective;
     perspective.fovx_degrees = fovx->field_of_view();
-    read_near_far(table, true, perspective.near, perspective.far);
+    read_near_far(table, {true, placed}, perspective.near, perspective.far);
     return perspective;
   }
   Perspective perspective;
   if (const auto fovy = table.find("fovy_degrees")) perspective.fovy_degrees = fovy->field_of_view();
-  read_near_far(table, true, perspective.near, perspective.far);
+  read_near_far(table, {true, placed}, perspective.near, perspective.far);
   return perspective;
 }
 
 template <typename SixPlanes>
-Projection read_six_planes(const ShotTable& table, bool perspective, SixPlanes planes) {
+Projection read_six_planes(const ShotTable& table, const Distances& distances, SixPlanes planes) {
   read_window(table, planes);
-  read_near_far(table, perspective, planes.near, planes.far);
+  read_near_far(table, distances, planes.near, planes.far);
   return planes;
 }
 
@@ -197,26 +211,28 @@ ProjectionKind read_projection_kind(const ShotTable& camera) {
   return *kind;
 }
 
-Projection read_projection(const ShotTable& camera, const ProjectionKind& kind, double target_distance) {
+Projection read_projection(const ShotTable& camera, const ProjectionKind& kind, double target_distance, bool placed) {
   // Drawings show what is on both sides of their plane, undistorted.
   constexpr double side = 2, depth = 100;
   switch (kind.form) {
     case ProjectionForm::perspective:
       break;
     case ProjectionForm::frustum:
-      return read_six_planes(camera, true, Frustum{});
+      return read_six_planes(camera, {true, placed}, Frustum{});
     case ProjectionForm::central:
-      return read_six_planes(camera, true, CentralProjection{-side, side, -side, side, 0.1, depth, target_distance});
+      return read_six_planes(camera, {true, placed},
+                             CentralProjection{-side, side, -side, side, 0.1, depth, target_distance});
     case ProjectionForm::orthographic:
-      return read_six_planes(camera, false, Orthographic{});
+      return read_six_planes(camera, {false, placed}, Orthographic{});
     case ProjectionForm::oblique:
       return read_six_planes(
-          camera, false,
+          camera, {false, placed},
           Oblique{-side, side, -side, side, -depth, depth, read_shear(camera, kind.name), target_distance});
     case ProjectionForm::axonometric:
-      return read_six_planes(camera, false, Orthographic{-side, side, -side, side, -depth, depth, Fit::widen});
+      return read_six_planes(camera, {false, placed},
+                             Orthographic{-side, side, -side, side, -depth, depth, Fit::widen});
   }
-  return read_perspective(camera);
+  return read_perspective(camera, placed);
 }
 
 ViewDirection read_axonometric_direction(const ShotTable& camera, const ProjectionKind& kind) {

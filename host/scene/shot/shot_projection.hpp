@@ -19,8 +19,8 @@ struct ProjectionKind {
 ProjectionKind read_projection_kind(const ShotTable& camera);
 
 // `target_distance`: from the eye to the target. The picture's plane of a central or oblique projection leads through
-// the target.
-Projection read_projection(const ShotTable& camera, const ProjectionKind& kind, double target_distance);
+// the target. Where the camera is not `placed` only one of near and far need be given; the other is any that fits.
+Projection read_projection(const ShotTable& camera, const ProjectionKind& kind, double target_distance, bool placed);
 
 // Where an axonometric projection is seen from.
 ViewDirection read_axonometric_direction(const ShotTable& camera, const ProjectionKind& kind);
