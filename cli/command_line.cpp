@@ -138,7 +138,8 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   command.add_option("--contact-sheet", options.contact_sheet, "One picture of all frames")
       ->type_name("FILE.png")
       ->group("Output");
-  command.add_flag("--preview", options.preview, "A PNG in sRGB beside each EXR frame, over grey")->group("Output");
+  command.add_flag("--preview", options.preview, "A PNG in sRGB beside each EXR frame, over dark grey")
+      ->group("Output");
   command.add_flag("--resume", options.resume, "Keep frames of the same shot and settings that are whole")
       ->group("Output");
   command.add_flag("--verify", options.verify, "Read every frame back and compare its pixels")->group("Output");

@@ -103,9 +103,10 @@
 // A kernel takes at most 12 buffers; small tables share one, told apart by offsets in FrameConstants. Sharing lowers no
 // limit, though a device may allocate no more than a quarter of its memory at once:
 //
-//   frame          constants, lights, numbers of changed vertex chunks, precise constants. At most 80 bytes a draw and
-//                  4 a chunk of 64 vertex groups, while a draw has at least 256 bytes of vertices. (Lights are read for
-//                  every pixel: time ends them, not memory.)
+//   frame          constants, lights, numbers of changed vertex chunks, precise constants, halves R, G, B, A of the
+//                  background for each row. At most 80 bytes a draw, 8 a row of the picture and 4 a chunk of 64 vertex
+//                  groups, while a draw has at least 256 bytes of vertices. (Lights are read for every pixel: time ends
+//                  them, not memory.)
 //   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 236 a
 //                  draw, 4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at
 //                  least 256 a primitive group: one of them is the larger.
@@ -213,9 +214,10 @@ typedef struct {
   uint only_faces;         // every draw is flat, lit at its centre, and without vertex colours
   uint divides;            // 0: w is 1 everywhere
   uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
+  uint has_background;     // 0: colour and alpha are 0 where nothing is drawn
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
-  uint lights, changed_vertex_chunks, precise;
+  uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
 } FrameConstants;
 

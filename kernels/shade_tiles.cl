@@ -4,7 +4,7 @@
 // In:  the chunks' bins, vertices, attributes, colours, face colours, clipped primitives, draws, lights.
 // Out: the picture: rows of half R, G, B, A (premultiplied), of float Z, and of notes, row_bytes from one to the next.
 //      The notes of a row of tiles stand in its first row, a uint a tile: bit b is set when block b of the tile holds
-//      the background, for the next frame to leave as it is.
+//      nothing but 0 and the background's distance, for the next frame to leave as it is.
 // Steps for a tile: 1 clear; 2 merge fragments; 3 merge large triangles, 16 x 16 pixels at a time, where a triangle
 //   that covers a block in front of all it holds replaces the block by a note (hierarchical depth); 4 shade each
 //   visible sample once, 16 pixels of a row at a time, and store.
@@ -71,6 +71,17 @@ ALWAYS_INLINE RowColor row_color(Rgb color, float16 alpha) {
   return halves;
 }
 
+// The same where lanes of `shows` have the background of row y.
+ALWAYS_INLINE RowColor over_background(RowColor color, global const FrameConstants* frame, int y, int16 shows) {
+  const ushort4 behind = background_rows(frame)[y];
+  const short16 lanes = convert_short16(shows);
+  color.red = select(color.red, (ushort16)(behind.x), as_ushort16(lanes));
+  color.green = select(color.green, (ushort16)(behind.y), as_ushort16(lanes));
+  color.blue = select(color.blue, (ushort16)(behind.z), as_ushort16(lanes));
+  color.alpha = select(color.alpha, (ushort16)(behind.w), as_ushort16(lanes));
+  return color;
+}
+
 // Two neighbours at a time: what goes past the cache should fill its lines, of 64 bytes on most processors.
 ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global uchar* out) {
   STREAM_STORE((ulong8)(as_ulong4(left), as_ulong4(right)), (global ulong8*)out);
@@ -117,30 +128,34 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   Rgb color;
   color.r = color.g = color.b = 0.0f;
   float16 alpha = 0.0f, distance = BACKGROUND_DEPTH;
+  int16 background = -1;
   if (column->content == PER_PIXEL) {
     const uint16 ids = tile.id[row * ROW_VECTORS + first / LANES];
     const uint first_id = ids.s0;
     p.depth = tile.depth[row * ROW_VECTORS + first / LANES];
     if (any_lane(ids != first_id)) {
-      const int16 background = ids == NO_ID;
+      background = ids == NO_ID;
       if (s->frame->writes_color) color = mixed_color(s, p, ids);
       alpha = select((float16)1.0f, (float16)0.0f, background);
       distance =
           select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
     } else if (first_id != NO_ID) {
       if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
+      background = 0;
       alpha = 1.0f;
       distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
     }
   } else if (column->content != CLEAR) {
     p.depth = depths_in_row(column->triangle, column->corner, first, row);
     if (s->frame->writes_color) color = color_of_primitive(s, column, column->triangle->id, p);
+    background = 0;
     alpha = 1.0f;
     distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
   }
   if (s->frame->writes_depth)
     STREAM_STORE(distance, (global float16*)(pixels.distance + row * pixels.row_bytes + first * sizeof(float)));
-  return row_color(color, alpha);
+  const RowColor halves = row_color(color, alpha);
+  return s->frame->has_background ? over_background(halves, s->frame, p.y, background) : halves;
 }
 
 // A launch's tiles, in the order in which they are drawn: neighbours cost alike, and one thread draws a run of them.
@@ -225,7 +240,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
       pixels_of_tile(frame, picture + first_row * frame->row_bytes, number % (uint)frame->tiles_x);
   uint left_as_it_is = frame->keeps_blank_tiles ? blank & *pixels.blank_blocks : 0u;
   left_as_it_is &= left_as_it_is >> 1;  // bits of even blocks: both of the pair
-  *pixels.blank_blocks = blank;
+  *pixels.blank_blocks = frame->has_background ? 0u : blank;
 
   Shader shader;
   shader.frame = frame;

@@ -18,6 +18,10 @@ ALWAYS_INLINE global const uint* changed_vertex_chunks(global const FrameConstan
 ALWAYS_INLINE global const PreciseConstants* precise_constants(global const FrameConstants* frame) {
   return (global const PreciseConstants*)((global const uint*)frame + frame->precise);
 }
+// Of each row of the picture, where there is a background.
+ALWAYS_INLINE global const ushort4* background_rows(global const FrameConstants* frame) {
+  return (global const ushort4*)((global const uint*)frame + frame->background);
+}
 
 // Index of the draw that a group of vertices or of primitives belongs to, and of the one that is binned at a place in
 // the order of binning.

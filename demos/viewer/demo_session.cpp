@@ -26,7 +26,7 @@ bool DemoSession::press(Key key, const Size& size) {
 void DemoSession::advance() { state_ = viewer::advance(state_, limits_); }
 
 RgbImage DemoSession::picture(const Size& size) {
-  RgbImage picture = picture_over_black(frames_.render(state_.view, size));
+  RgbImage picture = picture_of(frames_.render(state_.view, size));
   if (state_.help) draw_text_box(help_lines(limits_), picture);
   return picture;
 }

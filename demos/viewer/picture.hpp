@@ -6,7 +6,8 @@
 
 namespace morphcl::viewer {
 
-// The frame over black: its premultiplied linear colour, clamped to [0, 1] and rounded to the nearest sRGB code.
-RgbImage picture_over_black(const FrameBuffer& frame);
+// The premultiplied linear colour, clamped to [0, 1] and rounded to the nearest sRGB code, over picture_background
+// (thumbnail.hpp): what is drawn is opaque.
+RgbImage picture_of(const FrameBuffer& frame);
 
 }  // namespace morphcl::viewer

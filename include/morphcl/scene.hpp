@@ -59,12 +59,20 @@ struct Object {
 
 constexpr int max_image_size = 16384;
 
+// What shows where nothing is drawn: scene-linear colours of the picture's upper and lower edge, and in between a row's
+// share of both; each component 0 to max_background, the largest half.
+struct Background {
+  glm::dvec3 top{0.0}, bottom{0.0};
+};
+constexpr double max_background = 65504;
+
 struct ImageSettings {
   int width = 1920, height = 1080;                         // pixels, 1 to max_image_size
   bool color = true;                                       // channels R, G, B, A as half
   bool depth = true;                                       // channel Z as float; one of the two at least
   std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
+  std::optional<Background> background = std::nullopt;     // with alpha 1; none: colour and alpha are 0 there
 };
 
 // Something of which a model file may hold several; one is used. Animations that move different things are used

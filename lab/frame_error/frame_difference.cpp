@@ -98,9 +98,12 @@ class Comparison {
   void compare_color(int x, int y, std::size_t at, const Visible<double>& exact, const ShownPixel& shown,
                      Differences* object) {
     Vector3<double> color;
-    if (exact.object != no_object)
+    if (exact.object == no_object && plan_.background) {
+      const BackgroundRow& row = (*plan_.background)[static_cast<std::size_t>(y)];
+      color = {imath_half_to_float(row[0]), imath_half_to_float(row[1]), imath_half_to_float(row[2])};
+    } else if (exact.object != no_object)
       color = truth_.color(exact.object, exact.primitive, *truth_.hit(exact.object, exact.primitive, x, y), x, y);
-    const double channels[4] = {color.x, color.y, color.z, exact.object != no_object ? 1.0 : 0.0};
+    const double channels[4] = {color.x, color.y, color.z, exact.object != no_object || plan_.background ? 1.0 : 0.0};
     std::vector<float>* const planes[4] = {&result_.red, &result_.green, &result_.blue, &result_.alpha};
     bool other = false;
     for (int c = 0; c < 4; ++c) {

@@ -43,9 +43,10 @@ FrameBuffer expected_frame(const Scene& scene, std::int64_t frame) {
 }
 
 RgbImage srgb_picture(const FrameBuffer& frame) {
-  RgbImage picture(frame.width(), frame.height(), Rgb{});
+  RgbImage picture(frame.width(), frame.height(), Rgb{46, 46, 50});
   for (int y = 0; y < frame.height(); ++y) {
     for (int x = 0; x < frame.width(); ++x) {
+      if (frame.color_row(3, y)[x] == 0) continue;
       picture.at(x, y) = {srgb_code(frame.color_row(0, y)[x]), srgb_code(frame.color_row(1, y)[x]),
                           srgb_code(frame.color_row(2, y)[x])};
     }

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "host/image/thumbnail.hpp"
+
 namespace morphcl::viewer {
 namespace {
 
@@ -24,9 +26,10 @@ TEST(Picture, EveryPixelIsTheCodeOfItsOwnColour) {
       for (int channel = 0; channel < 3; ++channel) {
         frame.color_row(channel, y)[x] = value(x, y, channel).half;
       }
+      frame.color_row(3, y)[x] = kOne.half;
     }
   }
-  const RgbImage picture = picture_over_black(frame);
+  const RgbImage picture = picture_of(frame);
   ASSERT_EQ(picture.width, width);
   ASSERT_EQ(picture.height, height);
   for (int y = 0; y < height; ++y) {
@@ -38,6 +41,11 @@ TEST(Picture, EveryPixelIsTheCodeOfItsOwnColour) {
       EXPECT_EQ(pixel.blue, value(x, y, 2).code) << where;
     }
   }
+}
+
+TEST(Picture, ShowsTheBackgroundOfPicturesWhereNothingIsDrawn) {
+  const FrameBuffer frame(3, 2, /*color=*/true, /*depth=*/false);
+  EXPECT_EQ(picture_of(frame).at(2, 1), picture_background);
 }
 
 }  // namespace

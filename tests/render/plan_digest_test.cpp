@@ -111,6 +111,14 @@ const std::vector<Change> changes_of_pixels{
        displaced.hash = {1, 3};
        p.draws[0].displaced = std::make_shared<DisplacedPositions>(displaced);
      }},
+    {"background",
+     [](FramePlan& p) { p.background = std::make_shared<std::vector<BackgroundRow>>(48, BackgroundRow{1, 2, 3, 4}); }},
+    {"another row of the background",
+     [](FramePlan& p) {
+       auto rows = std::make_shared<std::vector<BackgroundRow>>(48, BackgroundRow{1, 2, 3, 4});
+       (*rows)[47][2] = 0;
+       p.background = rows;
+     }},
     {"sign of zero", [](FramePlan& p) { p.ambient[0] = -0.0f; }},
 };
 

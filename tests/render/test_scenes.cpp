@@ -263,6 +263,12 @@ Scene degenerate(int w, int h) {
   return b.look({0.3, 0.4, 3}).scene();
 }
 
+Scene before_a_background(int w, int h) {
+  Scene scene = sphere_to_cube(w, h);
+  scene.image.background = Background{{0.1, 0.3, 0.9}, {0.7, 0.6, 0.5}};
+  return scene;
+}
+
 }  // namespace
 
 Scene pyramid_to_cube(int w, int h) {
@@ -331,6 +337,7 @@ std::vector<TestScene> test_scenes(int w, int h, int more_soup) {
       {"many objects", many_objects(w, h), {0}},
       {"degenerate", degenerate(w, h), {0}},
       {"nothing", SceneBuilder(w, h).scene(), {0}},
+      {"before a background", before_a_background(w, h), {0}},
   };
   for (const unsigned seed : {1u, 2u, 3u, 4u, 7u})
     scenes.push_back({"soup " + std::to_string(seed), triangle_soup(seed, seed == 1 ? 3000 : more_soup, w, h), {0}});

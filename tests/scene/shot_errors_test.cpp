@@ -166,6 +166,20 @@ INSTANTIATE_TEST_SUITE_P(
             "ObliqueTooLong", "[camera]\nprojection = \"oblique\"\nfactor = 58",
             "3:10: factor is 58; it must be between 0 and 57.29: beyond, the projectors run closer than 1 degree to "
             "the picture's plane, and rounding shows"},
+        BadShot{"BackgroundOfTwoNumbers", "[image]\nbackground = [0.1, 0.2]",
+                "2:14: background must be \"none\", a scene-linear colour [red, green, blue], or two of them: [top, "
+                "bottom]"},
+        BadShot{"BackgroundOfAnotherName", "[image]\nbackground = \"blue\"",
+                "2:14: background must be \"none\", a scene-linear colour [red, green, blue], or two of them: [top, "
+                "bottom]"},
+        BadShot{"BackgroundOfThreeColours", "[image]\nbackground = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]",
+                "2:15: background is an array; a number is needed"},
+        BadShot{"BackgroundOfNoNumber", "[image]\nbackground = [nan, 0, 0]",
+                "2:15: background is nan; a number is needed"},
+        BadShot{"BackgroundBelowZero", "[image]\nbackground = [[0, 0, 0], [0, -1, 0]]",
+                "2:30: background holds -1; 0 or more is needed"},
+        BadShot{"BackgroundBeyondHalf", "[image]\nbackground = [0, 0, 65505]",
+                "2:14: background is 65505; 65504 is the most that half holds"},
         BadShot{"UnknownFit", "[camera]\nprojection = \"frustum\"\nfit = \"wide\"",
                 "3:7: unknown fit \"wide\"; did you mean \"widen\"?"},
         BadShot{"UnknownView", "[camera]\nview = \"side\"",

@@ -124,20 +124,25 @@ class DeviceRenderer : public Renderer {
     return stays;
   }
 
-  enum FrameTable { frame_constants, light_constants, changed_vertex_chunks, precise_constants };
+  enum FrameTable { frame_constants, light_constants, changed_vertex_chunks, precise_constants, background_rows };
 
   void upload_frame(layout::FrameConstants& constants, const std::vector<uint>& changed_chunks) {
     const FrameTables& tables = memory_.tables();
+    const std::vector<BackgroundRow> none;
+    const std::vector<BackgroundRow>& background = tables.background ? *tables.background : none;
     frame_.make_room({sizeof constants, tables.lights.size() * sizeof(layout::LightConstants),
-                      changed_chunks.size() * sizeof(uint), tables.precise.size() * sizeof(layout::PreciseConstants)});
+                      changed_chunks.size() * sizeof(uint), tables.precise.size() * sizeof(layout::PreciseConstants),
+                      background.size() * sizeof(BackgroundRow)});
     memory_.set_offsets(constants);
     constants.lights = frame_.offset(light_constants);
     constants.changed_vertex_chunks = frame_.offset(changed_vertex_chunks);
     constants.precise = frame_.offset(precise_constants);
+    constants.background = frame_.offset(background_rows);
     frame_.update(queue(), frame_constants, &constants, 1);
     frame_.update(queue(), light_constants, tables.lights);
     frame_.update(queue(), changed_vertex_chunks, changed_chunks);
     frame_.update(queue(), precise_constants, tables.precise);
+    frame_.update(queue(), background_rows, background);
   }
 
   // From the vertices to the bins, in as few launches as their order allows: each takes longer than a small frame.
@@ -206,7 +211,7 @@ class DeviceRenderer : public Renderer {
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   std::map<std::pair<DepthFormat, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
-  TableBuffer<buffers::Frame, 4> frame_{context_of(*session_)};
+  TableBuffer<buffers::Frame, 5> frame_{context_of(*session_)};
   DeviceBuffer<buffers::Vertices> vertices_{context_of(*session_)};
   DeviceBuffer<buffers::Attributes> attributes_{context_of(*session_)};
   DeviceBuffer<buffers::Colors> colors_{context_of(*session_)};

@@ -119,7 +119,8 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, const DeviceP
   frame.clips = plan.clips;
   frame.divides = plan.divides;
   frame.tests_depth = plan.tests_depth;
-  frame.keeps_blank_tiles = plan.keeps_blank_tiles;
+  frame.has_background = plan.background != nullptr;
+  frame.keeps_blank_tiles = plan.keeps_blank_tiles && !plan.background;
   return frame;
 }
 
@@ -216,6 +217,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const Dev
     make_draws(plan, meshes, tables);
     tables.origin = origin;
   }
+  tables.background = plan.background;
   tables.lights.clear();
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, picture);

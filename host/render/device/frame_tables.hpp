@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "host/render/device/device_picture.hpp"
@@ -25,6 +26,7 @@ struct FrameTables {
   std::vector<layout::TargetConstants> targets;
   std::vector<layout::PreciseConstants> precise;  // of draws that are not plain
   std::vector<layout::LightConstants> lights;
+  std::shared_ptr<const std::vector<BackgroundRow>> background;  // null: none
   using PositionsHash = std::array<std::uint64_t, 2>;
   std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
   layout::FrameConstants frame{};        // without what depends on pools, chunks and where tables are

@@ -83,6 +83,7 @@ class Notes {
 
   void channels() {
     note("RGBA", plan_.color, plan_.color ? "asked for" : "not among the channels", costs_.color);
+    if (plan_.background) note("background", true, "colour of every pixel where nothing is drawn", 0);
     note("Z", plan_.depth, plan_.depth ? "asked for" : "not among the channels", costs_.depth);
   }
 
@@ -191,6 +192,7 @@ class Notes {
   }
 
   void blank_tiles() {
+    if (plan_.background) return;  // they are written
     const std::size_t tiles = reach_.reached.size(), blank = tiles - reach_.reached_tiles;
     if (blank == 0) return;
     note_idle("blank tiles", options_.blank_tiles,

@@ -45,6 +45,9 @@ struct EyeLight {
   bool falloff;
 };
 
+// What a row of the picture shows where nothing is drawn: the halves of R, G, B, A.
+using BackgroundRow = std::array<std::uint16_t, 4>;
+
 struct FramePlan {
   // Which planner made it: plans of one planner share their meshes, which then do not change.
   std::uint64_t planner = 0;
@@ -64,7 +67,8 @@ struct FramePlan {
   bool tests_depth = true;        // false: no pixel centre is covered twice, what comes is not compared
   bool keeps_vertices = true;     // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
-  glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};  // for the image's attributes
+  std::shared_ptr<const std::vector<BackgroundRow>> background;  // of each row; null: 0 in all four
+  glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};               // for the image's attributes
 };
 
 }  // namespace morphcl

@@ -28,7 +28,7 @@ static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(ClippedPrimitive) == 104);
 static_assert(sizeof(BinsOffsets) == 64);
-static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 45);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 47);
 static_assert(sizeof(ChunkStatus) == 16);
 static_assert(sizeof(BinsHeader) == 64);
 

@@ -43,9 +43,9 @@ struct FrameKey {
   std::uint32_t color, depth, depth_format;
   CameraConstants camera;
   std::array<float, 3> ambient;
-  std::uint32_t light_count, draw_count;
+  std::uint32_t light_count, draw_count, background_rows;
 };
-static_assert(sizeof(FrameKey) == 10 * 4 + sizeof(CameraConstants));
+static_assert(sizeof(FrameKey) == 11 * 4 + sizeof(CameraConstants));
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -95,10 +95,12 @@ PlanDigest pixel_digest(const FramePlan& plan) {
   // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
   const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, color, depth, draws, draws_version,
                lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices, keeps_blank_tiles,
-               world_to_eye, world_to_ndc] = plan;
+               background, world_to_eye, world_to_ndc] = plan;
   Digester digester;
   digester.add(FrameKey{width, height, color, depth, static_cast<std::uint32_t>(depth_format), camera, ambient,
-                        count(lights.size()), count(draws.size())});
+                        count(lights.size()), count(draws.size()), background ? count(background->size()) : 0});
+  if (background)
+    for (const BackgroundRow& row : *background) digester.add(row);
   for (const EyeLight& light : lights) add(digester, light);
   for (const Draw& draw : draws) add(digester, draw);
   return digester.digest();

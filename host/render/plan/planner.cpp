@@ -21,6 +21,7 @@
 #include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/view_volume.hpp"
 #include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 #include "morphcl/transform.hpp"
 
 namespace morphcl {
@@ -106,6 +107,21 @@ void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FrameP
   plan.world_to_ndc = ndc * world_to_eye;
 }
 
+// The colours at the rows' middles, in binary64, rounded to half once; null where colour or a background is not there.
+std::shared_ptr<const std::vector<BackgroundRow>> background_rows(const ImageSettings& image) {
+  if (!image.background || !image.color) return nullptr;
+  const auto& [top, bottom] = *image.background;
+  auto rows = std::make_shared<std::vector<BackgroundRow>>();
+  for (int y = 0; y < image.height; ++y) {
+    const double below = (y + 0.5) / image.height;
+    BackgroundRow& row = rows->emplace_back();
+    for (int c = 0; c < 3; ++c)
+      row[static_cast<std::size_t>(c)] = to_half(top[c] == bottom[c] ? top[c] : top[c] + below * (bottom[c] - top[c]));
+    row[3] = to_half(1.0);
+  }
+  return rows;
+}
+
 const Scene& valid(const Scene& scene) {
   try {
     validate(scene);
@@ -125,6 +141,7 @@ struct Planner::Impl {
         nodes(s.timeline.nodes),
         tree(bounds_over_time(s, meshes, nodes)),
         facts(facts_of_objects(s, nodes)),
+        background(background_rows(s.image)),
         weights(s),
         elastic(s) {}
 
@@ -152,6 +169,7 @@ struct Planner::Impl {
   NodeSampler nodes;
   const ObjectTree tree;
   const std::vector<ObjectFacts> facts;
+  const std::shared_ptr<const std::vector<BackgroundRow>> background;
   ObjectTree::InView in_view;  // of the last frame's view
   DrawMemory memory;
   SharedWeights weights;
@@ -191,6 +209,7 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   }
   plan.keeps_vertices = options.kept_vertices;
   plan.keeps_blank_tiles = options.blank_tiles;
+  plan.background = background;
   return volume;
 }
 

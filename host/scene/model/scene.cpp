@@ -15,6 +15,13 @@ namespace {
 
 [[noreturn]] void fail(const std::string& message) { throw Error(ErrorKind::bad_input, "", message); }
 
+void check_background(const Background& background) {
+  for (const glm::dvec3& color : {background.top, background.bottom})
+    for (int c = 0; c < 3; ++c)
+      if (!(color[c] >= 0 && color[c] <= max_background))
+        fail(fmt::format("a background of {}; its colours reach from 0 to {}", color[c], max_background));
+}
+
 void check_image(const ImageSettings& image) {
   for (const int size : {image.width, image.height})
     if (size < 1 || size > max_image_size)
@@ -23,6 +30,7 @@ void check_image(const ImageSettings& image) {
   if (!image.color && !image.depth) fail("no channel is asked for; choose RGBA, Z or both");
   if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
     fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
+  if (image.background) check_background(*image.background);
 }
 
 constexpr int last_shading = static_cast<int>(Shading::wireframe);

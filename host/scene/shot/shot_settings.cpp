@@ -69,6 +69,26 @@ DepthFormat read_depth_format(const ShotValue& value) {
   value.fail(fmt::format("unknown depth_buffer \"{}\"{}", name, suggestion(name, names)));
 }
 
+bool is_colors(const ShotValue& value) {
+  return value.is_array() && value.size() == 2 && value[0].is_array() && value[1].is_array();
+}
+
+glm::dvec3 background_color(const ShotValue& value) {
+  const glm::dvec3 color = value.color();
+  if (const double most = std::max({color.x, color.y, color.z}); most > max_background)
+    value.fail(fmt::format("background is {}; {} is the most that half holds", most, max_background));
+  return color;
+}
+
+std::optional<Background> read_background(const ShotValue& value) {
+  if (value.is_text() && value.text() == "none") return std::nullopt;
+  if (is_colors(value)) return Background{background_color(value[0]), background_color(value[1])};
+  if (!value.is_array() || value.size() != 3)
+    value.fail("background must be \"none\", a scene-linear colour [red, green, blue], or two of them: [top, bottom]");
+  const glm::dvec3 color = background_color(value);
+  return Background{color, color};
+}
+
 std::int64_t fps_part(const ShotValue& value) {
   const std::int64_t part = value.integer();
   if (part < 1 || part > max_fps_part) value.fail(fmt::format("fps holds {}; 1 to {} is possible", part, max_fps_part));
@@ -86,7 +106,7 @@ TimeBase read_fps(const ShotValue& fps) {
 ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   ImageSettings settings;
   if (!image) return settings;
-  const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer"});
+  const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer", "background"});
   if (const auto size = table.find("size")) {
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
     settings.width = pixels((*size)[0]);
@@ -96,6 +116,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   if (const auto samples = table.find("samples")) read_samples(*samples);
   if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
   if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
+  if (const auto background = table.find("background")) settings.background = read_background(*background);
   return settings;
 }
 
