@@ -132,6 +132,12 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   command.add_option("--png-bits", options.png_bits, "Of a sample of PNG frames: 8 or 16; default: 8")
       ->type_name("N")
       ->group("Image");
+  command
+      .add_option("--exposure", options.exposure,
+                  "Brightness of PNG frames, previews and the contact sheet: colours times 2^STOPS, -30 to 30; EXR "
+                  "frames stay scene-linear as they are; default: 0")
+      ->type_name("STOPS")
+      ->group("Image");
   command.add_option("--frames", options.frames, "7, 1-10, 1-10x2, commas between; default: the shot's range")
       ->type_name("RANGE")
       ->group("Time");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
+#include "morphcl/job.hpp"
 
 namespace morphcl::cli {
 
@@ -51,6 +53,16 @@ int parse_png_bits(const std::string& text) {
   if (text == "8") return 8;
   if (text == "16") return 16;
   throw Error(ErrorKind::usage, "--png-bits", fmt::format("'{}' bits a sample; 8 or 16 are possible", text));
+}
+
+double parse_exposure(const std::string& text) {
+  double stops = 0;
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  const auto [end, error] = std::from_chars(text.data() + sign, text.data() + text.size(), stops);
+  if (error == std::errc() && end == text.data() + text.size() && std::abs(stops) <= max_exposure_stops) return stops;
+  throw Error(ErrorKind::usage, "--exposure",
+              fmt::format("'{}' is no exposure; a number of stops from -{} to {}, such as -1.5", text,
+                          max_exposure_stops, max_exposure_stops));
 }
 
 TimeBase parse_fps(const std::string& text) {

@@ -16,6 +16,7 @@ struct ImageSize {
 ImageSize parse_size(const std::string& text);                         // "1920x1080": 1 to 16384 each
 std::uint64_t parse_seed(const std::string& text);                     // 0 to 2^64 - 1
 TimeBase parse_fps(const std::string& text);                           // "25" or "30000/1001": 1 to 1,000,000 each
+double parse_exposure(const std::string& text);                        // stops: -30 to 30
 int parse_png_bits(const std::string& text);                           // "8" or "16"
 void set_channels(const std::string& list, ImageSettings& image);      // "RGBA", "Z" or "RGBA,Z"
 void set_compression(const std::string& name, ImageSettings& image);   // one of compression_names()

@@ -51,6 +51,7 @@ int render_command(const RenderOptions& options) {
   const FrameFormat format = options.pattern ? frame_format(*options.pattern) : FrameFormat::exr;
   check_options_of_format(options, format);
   const int png_bits = options.png_bits ? parse_png_bits(*options.png_bits) : 8;
+  const double exposure_stops = options.exposure ? parse_exposure(*options.exposure) : 0;
 
   Scene scene = open_scene(options.scene);
   // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
@@ -62,6 +63,7 @@ int render_command(const RenderOptions& options) {
   job.pattern = options.pattern.value_or(scene.name + ".####.exr");
   job.frames = frame_numbers(scene.frames);
   job.sample_bits = png_bits;
+  job.exposure_stops = exposure_stops;
   job.resume = options.resume;
   job.verify = options.verify;
   job.plan.leave_out = options.leave_out;

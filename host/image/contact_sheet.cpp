@@ -35,9 +35,10 @@ ContactSheet::Layout ContactSheet::layout_of(std::size_t cells, PictureSize fram
   return layout;
 }
 
-ContactSheet::ContactSheet(const std::vector<std::int64_t>& frames, PictureSize frame)
+ContactSheet::ContactSheet(const std::vector<std::int64_t>& frames, PictureSize frame, double gain)
     : frames_(shown_frames(frames, max_cells)),
       layout_(layout_of(frames_.size(), frame)),
+      gain_(gain),
       image_(layout_.gap + layout_.columns * layout_.cell_width(), layout_.gap + layout_.rows * layout_.cell_height(),
              sheet_color) {
   for (int cell = 0; cell < static_cast<int>(frames_.size()); ++cell) draw_label(cell, missing_color);
@@ -46,7 +47,7 @@ ContactSheet::ContactSheet(const std::vector<std::int64_t>& frames, PictureSize 
 void ContactSheet::add(std::int64_t frame, const FrameBuffer& pixels) {
   const int cell = cell_of(frame);
   if (cell < 0) return;
-  const RgbImage picture = thumbnail(pixels, fitted_size({pixels.width(), pixels.height()}, layout_.thumbnail));
+  const RgbImage picture = thumbnail(pixels, fitted_size({pixels.width(), pixels.height()}, layout_.thumbnail), gain_);
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) image_.at(left_of(cell) + x, top_of(cell) + y) = picture.at(x, y);
   draw_label(cell, label_color);

@@ -16,8 +16,9 @@ class ContactSheet {
  public:
   static constexpr std::size_t max_cells = 400;
 
-  // `frames` (at least one) in the order of the cells, row by row; `frame` is their size in pixels.
-  ContactSheet(const std::vector<std::int64_t>& frames, PictureSize frame);
+  // `frames` (at least one) in the order of the cells, row by row; `frame` is their size in pixels; colours are
+  // multiplied by `gain`.
+  ContactSheet(const std::vector<std::int64_t>& frames, PictureSize frame, double gain = 1);
 
   bool shows(std::int64_t frame) const { return cell_of(frame) >= 0; }
   // Does nothing for a frame that the sheet does not show. May be called for several frames at the same time.
@@ -43,6 +44,7 @@ class ContactSheet {
 
   std::vector<std::int64_t> frames_;
   Layout layout_;
+  double gain_;
   RgbImage image_;
 };
 

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> straight_pixels(const FrameBuffer& frame) {
   for (int y = 0; y < frame.height(); ++y) {
     if (y % static_cast<int>(FrameBuffer::block_side) == 0)
       find_spans(spans, frame, y / static_cast<int>(FrameBuffer::block_side));
-    write_straight_pixels(frame, spans, y, 8, pixels.data() + static_cast<std::size_t>(y) * line_bytes);
+    write_straight_pixels(frame, spans, y, 8, Exposure(), pixels.data() + static_cast<std::size_t>(y) * line_bytes);
   }
   return pixels;
 }

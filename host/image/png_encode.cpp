@@ -32,16 +32,17 @@ struct StripeRun {
 };
 
 // Kept by the thread: fresh memory costs more than the work in it.
-PngStripes& stripes_of_this_thread(const FrameBuffer& frame, int bits) {
+PngStripes& stripes_of_this_thread(const FrameBuffer& frame, int bits, const Exposure& exposure) {
   thread_local std::unique_ptr<PngStripes> stripes;
   if (!stripes) stripes = std::make_unique<PngStripes>();
-  stripes->begin(frame, bits);
+  stripes->begin(frame, bits, exposure);
   return *stripes;
 }
 
 // Appends the stripes first to last - 1. `hasher` may be null.
-void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, int first, int last, PngPixelHasher* hasher) {
-  PngStripes& stripes = stripes_of_this_thread(frame, bits);
+void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, const Exposure& exposure, int first, int last,
+                    PngPixelHasher* hasher) {
+  PngStripes& stripes = stripes_of_this_thread(frame, bits, exposure);
   for (int i = first; i < last; ++i) {
     const PngStripes::Stripe stripe = stripes.encode(i * png_stripe_lines);
     if (hasher) hasher->add(stripe.pixels);
@@ -52,20 +53,20 @@ void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, int firs
 }
 
 // The same by further threads, while this one makes the hash, which goes through the pixels in their order.
-std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int bits, int stripe_count, int threads,
-                                                   PngPixelHasher& hasher) {
+std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int bits, const Exposure& exposure,
+                                                   int stripe_count, int threads, PngPixelHasher& hasher) {
   std::vector<StripeRun> runs(static_cast<std::size_t>(threads));
   const auto encode_run = [&](int i) {
     StripeRun& run = runs[static_cast<std::size_t>(i)];
     try {
-      append_stripes(run, frame, bits, stripe_count * i / threads, stripe_count * (i + 1) / threads, nullptr);
+      append_stripes(run, frame, bits, exposure, stripe_count * i / threads, stripe_count * (i + 1) / threads, nullptr);
     } catch (...) {
       run.failure = std::current_exception();
     }
   };
   std::vector<std::jthread> workers;
   const int started = start_threads(workers, threads, encode_run);
-  PngStripes& stripes = stripes_of_this_thread(frame, bits);
+  PngStripes& stripes = stripes_of_this_thread(frame, bits, exposure);
   for (int i = 0; i < stripe_count; ++i) hasher.add(stripes.convert(i * png_stripe_lines));
   for (int i = started; i < threads; ++i) encode_run(i);
   workers.clear();  // a jthread joins when it goes
@@ -114,7 +115,7 @@ void append_end(std::vector<char>& bytes, const Adler32& checksum) {
 }  // namespace
 
 std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
-                       int threads) {
+                       int threads, const Exposure& exposure) {
   check_png_bits(bits);
   if (!frame.has_color()) throw Error(ErrorKind::usage, "", "PNG of a frame without colour; ask for RGBA");
   write_png_head(bytes, frame, attributes, bits, std::string(hash_digits, '0'));  // the hash is not known yet
@@ -124,12 +125,12 @@ std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const
   all.bytes.swap(bytes);
   if (threads > 1 && stripe_count > 1) {
     for (const StripeRun& run :
-         encode_stripes_with_threads(frame, bits, stripe_count, std::min(threads, stripe_count), hasher)) {
+         encode_stripes_with_threads(frame, bits, exposure, stripe_count, std::min(threads, stripe_count), hasher)) {
       all.bytes.insert(all.bytes.end(), run.bytes.begin(), run.bytes.end());
       all.checksum.append(run.checksum);
     }
   } else {
-    append_stripes(all, frame, bits, 0, stripe_count, &hasher);
+    append_stripes(all, frame, bits, exposure, 0, stripe_count, &hasher);
   }
   bytes.swap(all.bytes);
   append_end(bytes, all.checksum);

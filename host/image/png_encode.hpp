@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/image/exposure.hpp"
 #include "morphcl/png.hpp"
 
 namespace morphcl {
@@ -12,7 +13,7 @@ namespace morphcl {
 // Replaces `bytes` by the file; its capacity is kept. Returns the pixel hash that the file holds. The same frame and
 // attributes give the same bytes, whatever `threads`.
 std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
-                       int threads);
+                       int threads, const Exposure& exposure = Exposure());
 
 // Replaces `bytes` by the file `source` with other attributes: its pixels and their hash are kept as they are, nothing
 // is decoded. `source` is what encode_png made, unchanged: where it comes from a disk, compare it with a hash of what

@@ -27,9 +27,10 @@ void Adler32::append(const Adler32& next) {
   bytes += next.bytes;
 }
 
-void PngStripes::begin(const FrameBuffer& frame, int bits) {
+void PngStripes::begin(const FrameBuffer& frame, int bits, const Exposure& exposure) {
   frame_ = &frame;
   bits_ = bits;
+  exposure_ = exposure;
   line_bytes_ = static_cast<std::size_t>(frame.width()) * straight_pixel_bytes(bits);
   const auto lines = static_cast<std::size_t>(std::min(frame.height(), png_stripe_lines));
   pixels_.assign(line_bytes_ * (lines + 1), 0);
@@ -49,7 +50,7 @@ void PngStripes::fetch_line_above(int first_line) {
     std::memcpy(pixels_.data(), stripe() + (png_stripe_lines - 1) * line_bytes_, line_bytes_);
   } else {
     find_spans(spans_, *frame_, (first_line - 1) / png_stripe_lines);
-    write_straight_pixels(*frame_, spans_, first_line - 1, bits_, pixels_.data());
+    write_straight_pixels(*frame_, spans_, first_line - 1, bits_, exposure_, pixels_.data());
   }
 }
 
@@ -59,7 +60,7 @@ std::span<const std::uint8_t> PngStripes::convert(int first_line) {
   const bool blank = std::all_of(spans_.begin(), spans_.end(), [](const PixelSpan& span) { return span.blank; });
   if (!blank || !is_zero_)
     for (int i = 0; i < lines; ++i)
-      write_straight_pixels(*frame_, spans_, first_line + i, bits_,
+      write_straight_pixels(*frame_, spans_, first_line + i, bits_, exposure_,
                             stripe() + static_cast<std::size_t>(i) * line_bytes_);
   is_zero_ = blank;
   next_line_ = first_line + lines;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/image/blank_spans.hpp"
+#include "host/image/exposure.hpp"
 #include "host/image/zlib_encoder.hpp"
 #include "morphcl/frame.hpp"
 
@@ -31,7 +32,7 @@ class PngStripes {
   };
 
   // encode() is about this frame now, of `bits` a sample.
-  void begin(const FrameBuffer& frame, int bits);
+  void begin(const FrameBuffer& frame, int bits, const Exposure& exposure);
   // The stripe whose first line is `first_line`, a multiple of 16; it stays until the next call. In order they cost
   // least: one with the same lines as the one before costs a comparison, one whose blocks are known to be blank, like
   // the two before, costs nothing.
@@ -48,6 +49,7 @@ class PngStripes {
   const std::unique_ptr<DeflatePieces> deflate_ = make_deflate_pieces();
   const FrameBuffer* frame_ = nullptr;
   int bits_ = 8;
+  Exposure exposure_;
   std::size_t line_bytes_ = 0;
   std::vector<PixelSpan> spans_;
   std::vector<std::uint8_t> pixels_;  // of the line above the stripe, and of the stripe

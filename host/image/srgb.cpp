@@ -66,7 +66,7 @@ std::array<std::uint16_t, 65536> make_srgb16() {
   std::array<std::uint16_t, 65536> table{};
   for (std::size_t bits = 0; bits < table.size(); ++bits) {
     const float value = displayable_from_half()[bits];
-    table[bits] = value >= 1 ? std::uint16_t{65535} : value > 0 ? code16(value) : std::uint16_t{0};
+    table[bits] = srgb16_of(value);
   }
   return table;
 }
@@ -99,9 +99,11 @@ const std::array<std::uint8_t, 65536>& srgb8_from_half() {
   return table;
 }
 
-std::uint16_t srgb16_of_ratio(float color, float alpha) {
-  return color >= alpha ? std::uint16_t{65535} : code16(static_cast<double>(color) / alpha);
+std::uint16_t srgb16_of(double value) {
+  return value >= 1 ? std::uint16_t{65535} : value > 0 ? code16(value) : std::uint16_t{0};
 }
+
+std::uint16_t srgb16_of_ratio(float color, float alpha, double gain) { return srgb16_of(gain * color / alpha); }
 
 // Of the boundaries of 8 bits code k has that of the 16-bit code 257 k + 128.
 std::uint8_t srgb8_from_srgb16(std::uint16_t code) {

@@ -19,8 +19,11 @@ const std::array<float, 65536>& displayable_from_half();
 const std::array<std::uint8_t, 65536>& srgb8_from_half();
 const std::array<std::uint16_t, 65536>& srgb16_from_half();
 
-// The correctly rounded code of color / alpha, both of them displayable halves, alpha above 0.
-std::uint16_t srgb16_of_ratio(float color, float alpha);
+// The correctly rounded code of the value clamped to [0, 1]; NaN is 0.
+std::uint16_t srgb16_of(double value);
+
+// The correctly rounded code of gain * color / alpha, color and alpha displayable halves, alpha above 0.
+std::uint16_t srgb16_of_ratio(float color, float alpha, double gain = 1);
 
 // The code of 8 bits of the value that has this code of 16 bits: rounding twice is rounding once, as the boundaries
 // between codes of 8 bits are boundaries between codes of 16 bits.

@@ -36,7 +36,7 @@ using Colors = std::array<const std::uint16_t*, 3>;
 // Code is std::uint8_t or std::uint16_t; `table` has the codes of opaque colours.
 template <class Code>
 std::uint8_t* write_pixels(const Colors& colors, const std::uint16_t* alphas, std::size_t count,
-                           const std::array<Code, 65536>& table, std::uint8_t* out) {
+                           const std::array<Code, 65536>& table, double gain, std::uint8_t* out) {
   constexpr Code max = static_cast<Code>(~Code{0});
   const std::array<float, 65536>& value = displayable_from_half();
   for (std::size_t x = 0; x < count; ++x) {
@@ -46,7 +46,7 @@ std::uint8_t* write_pixels(const Colors& colors, const std::uint16_t* alphas, st
     } else if (const float alpha = std::min(value[alphas[x]], 1.0f); alpha > 0) {
       for (std::size_t channel = 0; channel < 3; ++channel)
         if (const float color = value[colors[channel][x]]; color > 0)
-          store(srgb16_of_ratio(color, alpha), pixel[channel]);
+          store(srgb16_of_ratio(color, alpha, gain), pixel[channel]);
       pixel[3] = static_cast<Code>(alpha_code(alpha, max));
     }
     for (const Code code : pixel) out = put(code, out);
@@ -57,7 +57,7 @@ std::uint8_t* write_pixels(const Colors& colors, const std::uint16_t* alphas, st
 }  // namespace
 
 void write_straight_pixels(const FrameBuffer& frame, std::span<const PixelSpan> spans, int y, int bits,
-                           std::uint8_t* out) {
+                           const Exposure& exposure, std::uint8_t* out) {
   const std::size_t pixel_bytes = straight_pixel_bytes(bits);
   for (const PixelSpan& span : spans) {
     if (span.blank) {
@@ -68,8 +68,8 @@ void write_straight_pixels(const FrameBuffer& frame, std::span<const PixelSpan> 
     const Colors colors{frame.color_row(0, y).data() + span.first, frame.color_row(1, y).data() + span.first,
                         frame.color_row(2, y).data() + span.first};
     const std::uint16_t* const alphas = frame.color_row(3, y).data() + span.first;
-    out = bits == 8 ? write_pixels(colors, alphas, span.count, srgb8_from_half(), out)
-                    : write_pixels(colors, alphas, span.count, srgb16_from_half(), out);
+    out = bits == 8 ? write_pixels(colors, alphas, span.count, exposure.srgb8(), exposure.gain(), out)
+                    : write_pixels(colors, alphas, span.count, exposure.srgb16(), exposure.gain(), out);
   }
 }
 

@@ -50,13 +50,13 @@ void add_row(const FrameBuffer& frame, int y, float row_share, const std::vector
   }
 }
 
-Rgb over_background(const Pixel& sum, float area) {
+Rgb over_background(const Pixel& sum, float area, float gain) {
   static const std::array<float, 3> background{linear_from_srgb8(picture_background.red),
                                                linear_from_srgb8(picture_background.green),
                                                linear_from_srgb8(picture_background.blue)};
   const float shown_background = std::max(0.0f, 1.0f - sum[3] / area);
   std::array<std::uint8_t, 3> out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = srgb8(sum[i] / area + shown_background * background[i]);
+  for (std::size_t i = 0; i < 3; ++i) out[i] = srgb8(sum[i] / area * gain + shown_background * background[i]);
   return {out[0], out[1], out[2]};
 }
 
@@ -69,7 +69,7 @@ PictureSize fitted_size(PictureSize frame, PictureSize box) {
   return {side(frame.width), side(frame.height)};
 }
 
-RgbImage thumbnail(const FrameBuffer& frame, PictureSize size) {
+RgbImage thumbnail(const FrameBuffer& frame, PictureSize size, double gain) {
   if (!frame.has_color()) throw Error(ErrorKind::usage, "", "a picture of a frame without colour; ask for RGBA");
   const std::vector<Span> columns = spans(frame.width(), size.width), rows = spans(frame.height(), size.height);
   const double pixels = static_cast<double>(frame.width()) * frame.height();
@@ -80,7 +80,8 @@ RgbImage thumbnail(const FrameBuffer& frame, PictureSize size) {
     std::fill(sums.begin(), sums.end(), Pixel{});
     const Span& span = rows[static_cast<std::size_t>(y)];
     for (int i = span.first; i <= span.last; ++i) add_row(frame, i, span.share(i), columns, sums);
-    for (int x = 0; x < size.width; ++x) image.at(x, y) = over_background(sums[static_cast<std::size_t>(x)], area);
+    for (int x = 0; x < size.width; ++x)
+      image.at(x, y) = over_background(sums[static_cast<std::size_t>(x)], area, static_cast<float>(gain));
   }
   return image;
 }

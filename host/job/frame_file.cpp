@@ -1,5 +1,8 @@
 #include "host/job/frame_file.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include "host/image/exr_encode.hpp"
@@ -9,8 +12,23 @@
 
 namespace morphcl {
 
+namespace {
+
+double checked_stops(const RenderJob& job) {
+  if (!(std::abs(job.exposure_stops) <= max_exposure_stops))
+    throw Error(ErrorKind::usage, "",
+                fmt::format("an exposure of {} stops; -{} to {} are possible", job.exposure_stops, max_exposure_stops,
+                            max_exposure_stops));
+  return job.exposure_stops;
+}
+
+}  // namespace
+
 FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
-    : format_(frame_format(job.pattern)), compression_(image.compression), sample_bits_(job.sample_bits) {
+    : format_(frame_format(job.pattern)),
+      compression_(image.compression),
+      sample_bits_(job.sample_bits),
+      exposure_(checked_stops(job)) {
   check_compression(compression_);
   check_png_bits(sample_bits_);
   if (format_ == FrameFormat::exr && sample_bits_ != 8)
@@ -28,7 +46,7 @@ FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
 std::string FrameFile::encode(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes,
                               int threads) const {
   return format_ == FrameFormat::exr ? encode_exr(bytes, frame, attributes, compression_, threads)
-                                     : encode_png(bytes, frame, attributes, sample_bits_, threads);
+                                     : encode_png(bytes, frame, attributes, sample_bits_, threads, exposure_);
 }
 
 std::string FrameFile::relabel(std::vector<char>& bytes, std::span<const char> source,

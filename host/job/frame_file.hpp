@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/image/exposure.hpp"
 #include "morphcl/exr.hpp"
 #include "morphcl/job.hpp"
 
@@ -42,6 +43,7 @@ class FrameFile {
   const FrameFormat format_;
   const std::string compression_;
   const int sample_bits_;
+  const Exposure exposure_;  // of PNG files
 };
 
 }  // namespace morphcl

@@ -32,6 +32,14 @@ void check_settings(const RenderJob& job, const ImageSettings& image, const Fram
     throw Error(ErrorKind::usage, "", "pictures show colour, and this job has none; add RGBA to the channels");
 }
 
+std::string fingerprint_of(const RenderJob& job, const Scene& scene, const std::string& deviation) {
+  const std::string plain = fingerprint(scene);
+  const std::string exposed = job.exposure_stops != 0 && frame_format(job.pattern) == FrameFormat::png
+                                  ? text_hash(fmt::format("{} exposure {}", plain, job.exposure_stops))
+                                  : plain;
+  return deviation.empty() ? exposed : text_hash(exposed + deviation);
+}
+
 // The name under which an output would come to stand: its folder without links and detours, its last part as it is,
 // since a link of that name is replaced and not followed.
 std::string place_of(const std::filesystem::path& path) {
@@ -81,12 +89,12 @@ void set_failed(FrameResult& result, const std::exception& error) {
 
 FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::string& deviation, int encoders)
     : job_(job),
-      fingerprint_(deviation.empty() ? morphcl::fingerprint(scene)
-                                     : text_hash(morphcl::fingerprint(scene) + deviation)),
+      fingerprint_(fingerprint_of(job, scene, deviation)),
       image_(scene.image),
       pattern_(job.pattern),
       file_(job, image_),
-      encoders_(encoders) {
+      encoders_(encoders),
+      gain_(file_.changes_pixels() ? 1 : exposure_gain(job.exposure_stops)) {
   check_settings(job, image_, pattern_);
   if (job.frames.empty()) return;
   check_outputs(scene);
@@ -94,7 +102,7 @@ FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::st
   if (job.contact_sheet.empty()) return;
   check_can_create(job.contact_sheet);
   remove_stale_temporaries(job.contact_sheet);
-  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height});
+  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height}, gain_);
 }
 
 void FrameOutput::check_outputs(const Scene& scene) const {
@@ -198,7 +206,7 @@ void FrameOutput::finish() const {
 }
 
 void FrameOutput::draw_pictures(const FrameResult& result, const FrameBuffer& pixels) {
-  if (job_.preview) write_png(preview_path(result.path), thumbnail(pixels, {pixels.width(), pixels.height()}));
+  if (job_.preview) write_png(preview_path(result.path), thumbnail(pixels, {pixels.width(), pixels.height()}, gain_));
   if (sheet_) sheet_->add(result.frame, pixels);
 }
 

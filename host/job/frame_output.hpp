@@ -62,6 +62,8 @@ class FrameOutput {
   const FramePattern pattern_;
   const FrameFile file_;
   std::counting_semaphore<> encoders_;
+  // Of pictures: PNG frames have it in their pixels, which pictures are made of.
+  const double gain_;
   std::unique_ptr<ContactSheet> sheet_;
 };
 

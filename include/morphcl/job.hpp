@@ -32,6 +32,8 @@ enum class FrameFormat { exr, png };
 // be done instead.
 FrameFormat frame_format(const std::string& pattern);
 
+constexpr double max_exposure_stops = 30;
+
 struct RenderJob {
   // A path whose file name holds at most one place for the frame number: a run of two or more '#' is that many digits,
   // a lone '#' is four, %0Nd is N digits (N at most 20), %d is as many as needed. Shorter numbers get zeros in front,
@@ -54,7 +56,10 @@ struct RenderJob {
   int sample_bits = 8;             // of a sample of PNG frames: 8 or 16
   PlanOptions plan = {};           // what is left out of frames; their pixels are the same
   std::string contact_sheet = {};  // a PNG of all frames, kept ones included; empty: none
-  bool preview = false;            // a PNG beside each frame, its name ending in .png instead of .exr
+  // What colours of PNG frames, previews and the contact sheet are multiplied by, as a power of 2, before they are
+  // encoded; at most max_exposure_stops either way. EXR frames stay as they are.
+  double exposure_stops = 0;
+  bool preview = false;  // a PNG beside each frame, its name ending in .png instead of .exr
   // Called from run()'s thread with the number of a frame that is drawn and goes to be written.
   std::function<void(std::int64_t)> on_drawn = {};
   std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
@@ -72,16 +77,18 @@ struct JobResult {
 // Frames that fail do not stop the others. Thrown before anything was rendered: Error(usage) for a scene that is not
 // valid, a pattern without a number although several frames are asked for, a pattern that is none or has another
 // ending, an unknown compression, other PNG bits than 8 and 16, PNG frames or pictures of a scene without colour,
-// previews of PNG frames, or an output that is one of the scene's inputs or another output; Error(cannot_create) when
-// the output cannot be created. Thrown after the frames: the Error of the contact sheet. What on_frame throws stops the
-// job, without a contact sheet, and is thrown when the frames under way are written. Temporary files that killed jobs
-// of the same pattern left are removed. The renderer forgets (Renderer::forget) before and after.
+// previews of PNG frames, an exposure out of range, or an output that is one of the scene's inputs or another output;
+// Error(cannot_create) when the output cannot be created. Thrown after the frames: the Error of the contact sheet. What
+// on_frame throws stops the job, without a contact sheet, and is thrown when the frames under way are written.
+// Temporary files that killed jobs of the same pattern left are removed. The renderer forgets (Renderer::forget) before
+// and after.
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's
 // file but its number: the image's settings, meshes, objects, nodes, tracks, camera, lights and stated accuracy, every
 // byte that was read for the scene, and morphcl's version. Frame range, names, warnings and device are not in it. Files
-// that a renderer with a deviation() has drawn hold another fingerprint, of that and of this.
+// that a renderer with a deviation() has drawn, and PNG files of another exposure than 0, hold another fingerprint, of
+// that and of this.
 std::string fingerprint(const Scene& scene);
 
 }  // namespace morphcl

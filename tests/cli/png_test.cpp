@@ -48,5 +48,22 @@ TEST_F(Png, OfDepthAloneIsRefused) {
   EXPECT_EQ(files(), std::set<std::string>{"shot.toml"});
 }
 
+TEST_F(Png, ExposureChangesTheirPixels) {
+  const auto hash = [&](const std::string& name, const std::vector<std::string>& exposure) {
+    std::vector<std::string> options = {"--frames", "0", "-o", name};
+    options.insert(options.end(), exposure.begin(), exposure.end());
+    EXPECT_EQ(render(cube_shot(), options).code, 0) << name;
+    return nlohmann::json::parse(run_tool({"info", path(name), "--json"}).out_lines().at(0))
+        .at("hash")
+        .get<std::string>();
+  };
+  const std::string plain = hash("plain.png", {});
+  EXPECT_EQ(hash("zero.png", {"--exposure", "0"}), plain);
+  const std::string bright = hash("bright.png", {"--exposure", "+1"});
+  EXPECT_NE(bright, plain);
+  EXPECT_NE(hash("dark.png", {"--exposure", "-1.5"}), plain);
+  EXPECT_EQ(hash("plain.png", {"--exposure", "1", "--resume"}), bright) << "drawn anew";
+}
+
 }  // namespace
 }  // namespace morphcl::cli_test

@@ -53,6 +53,15 @@ TEST_F(Usage, PngBitsOfExr) { expect_usage_error({"--png-bits", "16"}, "--png-bi
 TEST_F(Usage, PngWithDepth) { expect_usage_error({"-o", "a.#.png", "--channels", "RGBA,Z"}, "--channels RGBA"); }
 TEST_F(Usage, PngWithCompression) { expect_usage_error({"-o", "a.#.png", "--compression", "zip"}, "--compression: "); }
 TEST_F(Usage, PngWithPreview) { expect_usage_error({"-o", "a.#.png", "--preview"}, "--preview: "); }
+TEST_F(Usage, ExposureOfNoNumber) { expect_usage_error({"--exposure", "bright"}, "--exposure: 'bright' is no"); }
+TEST_F(Usage, ExposureThatIsInfinite) { expect_usage_error({"--exposure", "inf"}, "-30 to 30"); }
+TEST_F(Usage, ExposureThatIsNan) { expect_usage_error({"--exposure", "nan"}, "-30 to 30"); }
+TEST_F(Usage, ExposureOutOfRange) { expect_usage_error({"--exposure", "-30.5"}, "-30 to 30"); }
+TEST_F(Usage, ExposureWithAUnit) { expect_usage_error({"--exposure", "2EV"}, "-30 to 30"); }
+TEST_F(Usage, UnknownView) {
+  expect_usage_error({"--view", "side"}, "three_quarter, front, back, left, right, top, bottom");
+}
+TEST_F(Usage, ViewAndCamera) { expect_usage_error({"--view", "left", "--camera", "0"}, "--view"); }
 TEST_F(Usage, ControlCharactersStayOnOneLine) { expect_usage_error({"--size", "1\n2\033[31m"}, "--size"); }
 
 TEST(Help, IsOnStdoutWithCodeZero) {
@@ -71,9 +80,9 @@ TEST(Help, IsOnStdoutWithCodeZero) {
 
 TEST(Help, OfRenderNamesEveryOptionOfTheContractWithItsGroup) {
   const std::string help = run_tool({"render", "--help"}).out;
-  for (const char* option :
-       {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads", "--resume",
-        "--png-bits", "--verify", "--json", "--quiet", "--contact-sheet", "--preview", "--fps", "--allow-outside"})
+  for (const char* option : {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads",
+                             "--resume", "--png-bits", "--verify", "--json", "--quiet", "--contact-sheet", "--preview",
+                             "--exposure", "--view", "--fps", "--allow-outside"})
     EXPECT_THAT(help, HasSubstr(option));
   for (const char* group : {"Image:", "Time:", "Output:", "Device:", "Report:", "Input:"})
     EXPECT_THAT(help, HasSubstr(group));

@@ -1,7 +1,9 @@
 // Jobs whose frames are PNG files: the same promises as for EXR.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "morphcl/error.hpp"
 #include "morphcl/png.hpp"
@@ -61,6 +63,46 @@ TEST(PngJobs, ResumeRendersExactlyWhatIsMissingOrDamaged) {
   for (std::size_t i = 0; i < after.frames.size(); ++i) EXPECT_EQ(after.frames[i].hash, before.frames[i].hash);
   job.sample_bits = 16;
   EXPECT_EQ(frames_of(run(job, empty_scene(), third), Status::rendered), range(0, 7)) << "those have 8 bits";
+}
+
+TEST(PngJobs, ResumeTellsExposuresApart) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.##.png", range(0, 2));
+  FakeRenderer first, second, third;
+  const JobResult plain = run(job, empty_scene(), first);
+  job.resume = true;
+  job.exposure_stops = -1.5;
+  const JobResult darker = run(job, empty_scene(), second);
+  EXPECT_EQ(frames_of(darker, Status::rendered), range(0, 2));
+  EXPECT_NE(darker.frames[1].hash, plain.frames[1].hash);
+  EXPECT_EQ(frames_of(run(job, empty_scene(), third), Status::kept), range(0, 2));
+}
+
+TEST(PngJobs, AnExposureDoesNotTouchExrFrames) {
+  const TemporaryFolder folder;
+  RenderJob job = job_of(folder / "a.##.exr", range(0, 1));
+  FakeRenderer first, second;
+  run(job, empty_scene(), first);
+  job.resume = true;
+  job.exposure_stops = 2;
+  job.contact_sheet = folder / "bright.png";
+  EXPECT_EQ(frames_of(run(job, empty_scene(), second), Status::kept), range(0, 1));
+  job.exposure_stops = 0;
+  job.contact_sheet = folder / "plain.png";
+  run(job, empty_scene(), second);
+  EXPECT_NE(describe_png(folder / "bright.png").hash + std::to_string(bytes_of(folder / "bright.png").size()),
+            describe_png(folder / "plain.png").hash + std::to_string(bytes_of(folder / "plain.png").size()));
+}
+
+TEST(PngJobs, ExposuresOutOfRangeAreRefused) {
+  const TemporaryFolder folder;
+  for (const double wrong : {31.0, -30.5, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+    RenderJob job = job_of(folder / "a.##.png", {1});
+    job.exposure_stops = wrong;
+    FakeRenderer renderer;
+    EXPECT_THROW(run(job, empty_scene(), renderer), Error) << wrong;
+    EXPECT_TRUE(renderer.rendered.empty());
+  }
 }
 
 TEST(PngJobs, ResumeLooksAtTheFramesNumber) {
