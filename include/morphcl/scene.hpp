@@ -130,19 +130,19 @@ struct LoadOptions {
   // when no two move the same; the camera is the first of the drawn nodes; the scene is the file's own, else its first.
   // A shot says so itself, for each object.
   std::optional<std::string> animation = {}, camera = {}, scene = {};
+  // The side that a fitted camera looks from: three_quarter, front, back, left, right, top or bottom; otherwise what
+  // the shot's [camera] says, else three_quarter. A model's own camera is not used then. Error(usage) for another name,
+  // beside `camera`, and for a shot that says itself where its camera stands.
+  std::optional<std::string> view = {};
   // Set by another thread or a signal: loading ends with Error(interrupted). It has to outlive load_scene().
   const std::atomic<bool>* stop = nullptr;
 };
 
 // By the extension of `path`, in any case: .toml is a shot; .gltf, .glb and .obj are models, drawn as a shot would draw
-// them with nothing but the object: camera and lights of the file, else the fitted camera and the key light; frames 0
-// to the last one at or before the last key. The fitted camera is a perspective of 45 degrees from the direction
-// (1, 0.8, 1.7); what is drawn, at all frames together, lies in the middle of the image and fills 80 % of its width or
-  // The side that a fitted camera looks from: three_quarter, front, back, left, right, top or bottom; otherwise what
-  // the shot's [camera] says, else three_quarter. A model's own camera is not used then. Error(usage) for another name,
-  // beside `camera`, and for a shot that says itself where its camera stands.
-  std::optional<std::string> view = {};
-// height. The key light is white, from the direction (0.4, 0.7, 0.9).
+// them with nothing but the object: camera and lights of the file, else the fitted camera and the default lights;
+// frames 0 to the last one at or before the last key. The fitted camera is a perspective of 45 degrees from the
+// direction (1, 0.8, 1.7); what is drawn, at all frames together, lies in the middle of the image and fills 80 % of its
+// width or height. The default lights are white: key, fill and a hemisphere of sky and ground (docs/shot-file.md).
 //
 // The result is valid. Errors: cannot_read when the file is missing or unreadable, bad_input when it or what it names
 // is wrong, usage for another extension or options out of range.

@@ -112,7 +112,7 @@ TEST(ShotFiles, OfAModelAloneAreASceneWithAFittedCamera) {
   const Scene scene = load_scene(folder.path("two.gltf"));
   EXPECT_EQ(scene.name, "two");
   EXPECT_EQ(scene.objects.size(), 2u);
-  EXPECT_EQ(scene.timeline.lights.size(), 1u);
+  EXPECT_EQ(scene.timeline.lights.size(), 3u);
   EXPECT_EQ(frame_numbers(scene.frames), std::vector<std::int64_t>{0});
   const FrameState state = evaluate(scene.timeline, 0);
   const glm::dvec4 middle = state.camera.world_to_eye * glm::dvec4(1.5, 1, 0, 1);

@@ -119,10 +119,23 @@ TEST(Shot, HasTheDocumentedDefaults) {
   EXPECT_EQ(scene.accuracy_pixels, 0);
   EXPECT_EQ(frame_numbers(scene.frames), std::vector<std::int64_t>{0});
   EXPECT_EQ(scene.timeline.time.fps_numerator, 25);
-  EXPECT_EQ(scene.timeline.ambient, glm::dvec3(0.05));
-  ASSERT_EQ(scene.timeline.lights.size(), 1u);
+  EXPECT_FALSE(scene.image.background);
+  EXPECT_EQ(scene.timeline.ambient, glm::dvec3(0.1));
+  ASSERT_EQ(scene.timeline.lights.size(), 3u);
   EXPECT_EQ(scene.timeline.lights[0].vector, glm::dvec3(0.4, 0.7, 0.9));
+  EXPECT_EQ(scene.timeline.lights[0].color, glm::dvec3(0.62));
   EXPECT_EQ(scene.objects[0].material.shading, Shading::smooth);
+}
+
+TEST(Shot, Backgrounds) {
+  const auto background = [](const std::string& value) {
+    return ShotFolder().load("[image]\nbackground = " + value + "\n" + std::string(test::cube_object)).image.background;
+  };
+  EXPECT_FALSE(background("\"none\""));
+  EXPECT_EQ(background("[0, 0.5, 1]")->top, glm::dvec3(0, 0.5, 1));
+  EXPECT_EQ(background("[0, 0.5, 1]")->bottom, glm::dvec3(0, 0.5, 1));
+  EXPECT_EQ(background("[[1, 0, 0], [0, 2, 0]]")->top, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(background("[[1, 0, 0], [0, 2, 0]]")->bottom, glm::dvec3(0, 2, 0));
 }
 
 TEST(Shot, WithAnEmptyListOfLightsIsDark) {

@@ -148,10 +148,14 @@ void fit_camera(Scene& scene, const CameraFit& fit) {
   camera.target = to_world * fitter.target();
 }
 
-Light key_light() {
-  Light light;
-  light.vector = {0.4, 0.7, 0.9};
-  return light;
+std::vector<Light> default_lights() {
+  const auto from = [](const glm::dvec3& direction, double intensity) {
+    Light light;
+    light.vector = direction;
+    light.color = glm::dvec3(intensity);
+    return light;
+  };
+  return {from({0.4, 0.7, 0.9}, 0.62), from({-0.6, -0.5, -0.75}, 0.34), from({0, 1, 0}, 0.2)};
 }
 
 FrameRange animation_range(const Scene& scene, std::vector<std::string>& warnings) {
@@ -184,7 +188,10 @@ FrameRange animation_range(const Scene& scene, std::vector<std::string>& warning
 }
 
 void complete_scene(Scene& scene, const Given& given, const CameraFit& fit) {
-  if (!given.lights) scene.timeline.lights.push_back(key_light());
+  if (!given.lights) {
+    scene.timeline.lights = default_lights();
+    if (!given.ambient) scene.timeline.ambient = default_ambient;
+  }
   if (!given.frames) scene.frames = {animation_range(scene, scene.warnings)};
   if (!given.camera) fit_camera(scene, fit);
 }

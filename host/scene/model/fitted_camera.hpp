@@ -24,16 +24,23 @@ struct CameraFit {
 // leave room. An empty scene is looked at as a cube of half-edge 1.
 void fit_camera(Scene& scene, const CameraFit& fit = {});
 
-// White, from the direction (0.4, 0.7, 0.9).
-Light key_light();
+// What lights a scene that has no light: white, in the world's axes, nothing but sums of what scenes can have.
+//   key      0.62 from (0.4, 0.7, 0.9), to the right of and above the viewer of a three-quarter view
+//   fill     0.34 from (-0.6, -0.5, -0.75): what faces away from the key light has shape, too
+//   hemisphere: sky, 0.2 from (0, 1, 0), and ground, 0.1 of ambient light
+// On white the sum is 0.1 to 0.86 for every normal, so that no preview clips and none is black.
+std::vector<Light> default_lights();
+constexpr glm::dvec3 default_ambient{0.1};
 
 // 0 to the last frame at or before the end of every track: its last key, a spring's or an elastic object's when
 // it has settled. Frame 0 alone when nothing moves. At most 1,000,000 frames: `warnings` then gets a line.
 FrameRange animation_range(const Scene& scene, std::vector<std::string>& warnings);
 
-// Adds to a scene that is complete otherwise what is not `given`: the camera by fit_camera().
+// Adds to a scene that is complete otherwise what is not `given`: the camera by fit_camera(), default_ambient with the
+// default lights alone.
 struct Given {
   bool camera, lights, frames;
+  bool ambient = false;
 };
 void complete_scene(Scene& scene, const Given& given, const CameraFit& fit = {});
 

@@ -65,7 +65,10 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   scene.warnings.insert(scene.warnings.end(), library.warnings().begin(), library.warnings().end());
   scene.inputs = library.inputs();
   complete_scene(scene,
-                 {.camera = !shot_camera.fit, .lights = shot.has("light"), .frames = !scene.frames.empty()},
+                 {.camera = !shot_camera.fit,
+                  .lights = shot.has("light"),
+                  .frames = !scene.frames.empty(),
+                  .ambient = shot.has("ambient")},
                  shot_camera.fit.value_or(CameraFit{}));
   if (shot_camera.marks_vanishing_points) add_vanishing_marks(scene);
 
