@@ -206,9 +206,9 @@ TEST_F(Render, InfoOfACamera) {
   const std::string two = info("fovy_degrees = 90\neye = [5, 1, 5]\ntarget = [0, 1, 0]\n");
   EXPECT_THAT(two, HasSubstr("perspective, 90 degrees high"));
   EXPECT_THAT(two, HasSubstr("2: x at NDC (-0.25, 0), pixel (150, 50); z at NDC (0.25, 0), pixel (250, 50)"));
-  const std::string top = info("projection = \"orthographic\"\nview = \"top\"\nfit = \"widen\"\n");
+  const std::string top = info("projection = \"orthographic\"\nview = \"top\"\ndistance = 10\n");
   EXPECT_THAT(top, HasSubstr("-4 to 4 across, -1 to 1 up; widened along x to fit the image"));
-  EXPECT_THAT(info("projection = \"cabinet\"\ndirection_degrees = 90\nfit = \"crop\"\n"),
+  EXPECT_THAT(info("projection = \"cabinet\"\neye = [0, 0, 5]\ndirection_degrees = 90\nfit = \"crop\"\n"),
               AllOf(HasSubstr("oblique, 1 to the back is drawn (0, 0.5) away"),
                     HasSubstr("-2 to 2 across, -0.5 to 0.5 up; cropped along y to fit the image")));
 }

@@ -61,7 +61,7 @@ TEST(PictureBands, EveryTileIsDrawnWhateverTheirNumberInABand) {
   for (const auto& [columns, rows, rows_a_band] :
        {std::tuple{197, 3, 2}, {1, 9, 4}, {199, 2, 1}, {2, 5, 3}, {3, 4, 4}, {1, 256, 200}, {1, 200, 197}}) {
     SceneBuilder builder(columns * 64 - 5, rows * 64 - 5);
-    builder.look({0, 0, 2}).project(Orthographic{-1, 1, -1, 1, 0.5, 10});
+    builder.look({0, 0, 2}).project(Orthographic{-1, 1, -1, 1, 0.5, 10, Fit::stretch});
     builder.add(make_cube(), Shading::flat, place({0, 0, 0}, 0.95));
     const Plan plan = plan_frame(builder.scene(), 0);
     FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);

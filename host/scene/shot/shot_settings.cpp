@@ -75,8 +75,8 @@ bool is_colors(const ShotValue& value) {
 
 glm::dvec3 background_color(const ShotValue& value) {
   const glm::dvec3 color = value.color();
-  if (const double most = std::max({color.x, color.y, color.z}); most > max_background)
-    value.fail(fmt::format("background is {}; {} is the most that half holds", most, max_background));
+  if (const double largest = std::max({color.x, color.y, color.z}); largest > max_background)
+    value.fail(fmt::format("background is {}; {} is the most that half holds", largest, max_background));
   return color;
 }
 
