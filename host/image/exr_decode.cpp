@@ -1,13 +1,19 @@
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfInputFile.h>
+#include <ImfVersion.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
 
 #include "host/image/exr_attributes.hpp"
 #include "host/image/exr_encode.hpp"
 #include "host/image/exr_header_check.hpp"
 #include "host/image/exr_planes.hpp"
 #include "host/image/exr_stream.hpp"
+#include "host/image/exr_zip_read.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -39,22 +45,47 @@ FrameBuffer read_pixels(Imf::InputFile& file) {
   return frame;
 }
 
-ExrFrame decode(SizedInput& input) {
-  return with_errors([&] {
+// Of a file of one part of scan lines; nothing for any other, or one that OpenEXR is to say what is wrong with. The
+// stream stands behind it then.
+std::optional<Imf::Header> plain_header(SizedInput& input) {
+  try {
+    std::array<std::int32_t, 2> opening{};  // magic number; version and flags
+    input.read(reinterpret_cast<char*>(opening.data()), sizeof opening);
+    int version = opening[1];
+    if ((version & ~Imf::LONG_NAMES_FLAG) != Imf::EXR_VERSION) return std::nullopt;
+    Imf::Header header;
+    header.readFrom(input, version);
+    header.sanityCheck();
+    return header;
+  } catch (const Iex::BaseExc&) {
+    return std::nullopt;
+  }
+}
+
+ExrFrame frame_of(FrameBuffer&& pixels, const Imf::Header& header) {
+  ExrFrame result{std::move(pixels), attributes_of(header), text_attribute(header, pixel_hash_attribute), ""};
+  result.hash = pixel_hash(result.frame);
+  return result;
+}
+
+// Nothing when `wanted` says no to the header, before any pixel is read.
+std::optional<ExrFrame> decode(SizedInput& input, const std::function<bool(const Imf::Header&)>& wanted) {
+  return with_errors([&]() -> std::optional<ExrFrame> {
     check_exr_header(input);
+    if (const std::optional<Imf::Header> header = plain_header(input)) {
+      if (!wanted(*header)) return std::nullopt;
+      if (std::optional<FrameBuffer> pixels = read_exr_zip(input, *header))
+        return frame_of(std::move(*pixels), *header);
+    }
+    input.seekg(0);
     Imf::InputFile file(input, 0);
-    ExrFrame result{read_pixels(file), attributes_of(file.header()),
-                    text_attribute(file.header(), pixel_hash_attribute), ""};
-    result.hash = pixel_hash(result.frame);
-    return result;
+    if (!wanted(file.header())) return std::nullopt;
+    return frame_of(read_pixels(file), file.header());
   });
 }
 
-std::string fingerprint_of(SizedInput& input) {
-  return with_errors([&] {
-    check_exr_header(input);
-    return text_attribute(Imf::InputFile(input, 0).header(), fingerprint_attribute);
-  });
+ExrFrame decode(SizedInput& input) {
+  return std::move(*decode(input, [](const Imf::Header&) { return true; }));
 }
 
 }  // namespace
@@ -76,9 +107,10 @@ ExrFrame read_exr(const std::string& path) {
 std::optional<ExrFrame> read_finished_frame(const std::string& path, const std::string& fingerprint) {
   try {
     FileInput input(path);
-    if (fingerprint_of(input) != fingerprint) return std::nullopt;  // the cheap question first
-    ExrFrame frame = decode(input);
-    if (frame.stored_hash.empty() || frame.stored_hash != frame.hash) return std::nullopt;
+    std::optional<ExrFrame> frame = decode(input, [&fingerprint](const Imf::Header& header) {
+      return text_attribute(header, fingerprint_attribute) == fingerprint;  // the cheap question first
+    });
+    if (!frame || frame->stored_hash.empty() || frame->stored_hash != frame->hash) return std::nullopt;
     return frame;
   } catch (...) {
     return std::nullopt;

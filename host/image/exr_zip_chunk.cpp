@@ -1,7 +1,6 @@
 #include "host/image/exr_zip_chunk.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "host/image/exr_byte_split.hpp"
@@ -11,8 +10,6 @@ namespace morphcl {
 namespace {
 
 static_assert(FrameBuffer::block_side == zip_chunk_lines, "a chunk is a row of blocks");
-
-constexpr std::array<int, 4> alphabetical_channels{3, 2, 1, 0};  // A B G R of FrameBuffer's R G B A
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 // deflated.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,6 +15,7 @@
 namespace morphcl {
 
 inline constexpr int zip_chunk_lines = 16;
+inline constexpr std::array<int, 4> alphabetical_channels{3, 2, 1, 0};  // A B G R of FrameBuffer's R G B A
 
 // Keeps its memory from frame to frame; for one thread at a time.
 class ExrZipChunks {

@@ -1,7 +1,6 @@
 // morphcl's own ZIP path against OpenEXR's: the same header, the same prepared bytes, and files that decode to the
 // frame.
 #include "host/image/exr_zip.hpp"
-#include "host/image/raw_frame.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfOutputFile.h>
@@ -74,21 +73,6 @@ std::vector<std::uint8_t> inflated(const ExrChunk& chunk, std::size_t bytes) {
   libdeflate_free_decompressor(decompressor);
   EXPECT_EQ(result, LIBDEFLATE_SUCCESS);
   return out;
-}
-
-// Marks a block of 16 x 16 pixels as blank and fills it, if `with` is not 0, with what nobody may look at.
-void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with) {
-  const RawFrame memory(frame);
-  constexpr std::size_t side = FrameBuffer::block_side;
-  const std::size_t first = static_cast<std::size_t>(block_x) * side;
-  for (std::size_t y = 0; y < side; ++y) {
-    std::byte* const row = memory.data + (static_cast<std::size_t>(block_y) * side + y) * memory.row_bytes;
-    for (const std::size_t offset : memory.color_offset)
-      if (frame.has_color()) std::fill_n(reinterpret_cast<std::uint16_t*>(row + offset) + first, side, with);
-    if (frame.has_depth())
-      std::fill_n(reinterpret_cast<float*>(row + memory.depth_offset) + first, side, with ? 1.0f : background_depth);
-  }
-  memory.note(block_x / 4, block_y / 4) |= 1u << (block_y % 4 * 4 + block_x % 4);
 }
 
 // What OpenEXR's file layout says, step by step.

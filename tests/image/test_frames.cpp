@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/image/raw_frame.hpp"
 #include "lab/accuracy/random.hpp"
 
 namespace morphcl::image_test {
@@ -60,6 +61,20 @@ FrameBuffer uniform_frame(int width, int height, float red, float green, float b
     for (int channel = 0; channel < 4; ++channel)
       std::ranges::fill(frame.color_row(channel, y), half(values[channel]).bits());
   return frame;
+}
+
+void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with) {
+  const RawFrame memory(frame);
+  constexpr std::size_t side = FrameBuffer::block_side;
+  const std::size_t first = static_cast<std::size_t>(block_x) * side;
+  for (std::size_t y = 0; y < side; ++y) {
+    std::byte* const row = memory.data + (static_cast<std::size_t>(block_y) * side + y) * memory.row_bytes;
+    for (const std::size_t offset : memory.color_offset)
+      if (frame.has_color()) std::fill_n(reinterpret_cast<std::uint16_t*>(row + offset) + first, side, with);
+    if (frame.has_depth())
+      std::fill_n(reinterpret_cast<float*>(row + memory.depth_offset) + first, side, with ? 1.0f : background_depth);
+  }
+  memory.note(block_x / 4, block_y / 4) |= 1u << (block_y % 4 * 4 + block_x % 4);
 }
 
 std::string difference(const FrameBuffer& expected, const FrameBuffer& actual) {

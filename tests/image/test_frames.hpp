@@ -16,6 +16,9 @@ FrameBuffer disc_frame(int width, int height, bool color = true, bool depth = tr
 
 FrameBuffer uniform_frame(int width, int height, float red, float green, float blue, float alpha);
 
+// Marks a block of 16 x 16 pixels as blank and fills it, if `with` is not 0, with what nobody may look at.
+void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with);
+
 // "" when size, channels and all bits within the image are the same, else the first difference.
 std::string difference(const FrameBuffer& expected, const FrameBuffer& actual);
 
