@@ -44,10 +44,13 @@ ContactSheet::ContactSheet(const std::vector<std::int64_t>& frames, PictureSize 
   for (int cell = 0; cell < static_cast<int>(frames_.size()); ++cell) draw_label(cell, missing_color);
 }
 
-void ContactSheet::add(std::int64_t frame, const FrameBuffer& pixels) {
+std::optional<RgbImage> ContactSheet::picture_of(std::int64_t frame, const FrameBuffer& pixels) const {
+  if (cell_of(frame) < 0) return std::nullopt;
+  return thumbnail(pixels, fitted_size({pixels.width(), pixels.height()}, layout_.thumbnail), gain_);
+}
+
+void ContactSheet::add(std::int64_t frame, const RgbImage& picture) {
   const int cell = cell_of(frame);
-  if (cell < 0) return;
-  const RgbImage picture = thumbnail(pixels, fitted_size({pixels.width(), pixels.height()}, layout_.thumbnail), gain_);
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) image_.at(left_of(cell) + x, top_of(cell) + y) = picture.at(x, y);
   draw_label(cell, label_color);

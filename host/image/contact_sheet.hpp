@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,14 @@ class ContactSheet {
   ContactSheet(const std::vector<std::int64_t>& frames, PictureSize frame, double gain = 1);
 
   bool shows(std::int64_t frame) const { return cell_of(frame) >= 0; }
-  // Does nothing for a frame that the sheet does not show. May be called for several frames at the same time.
-  // Error(usage) when the frame has no colour; a frame of another size is fitted into its cell.
-  void add(std::int64_t frame, const FrameBuffer& pixels);
+  // What the frame's cell is to show; nothing for a frame that the sheet does not show. Error(usage) when the frame has
+  // no colour; a frame of another size is fitted into its cell.
+  std::optional<RgbImage> picture_of(std::int64_t frame, const FrameBuffer& pixels) const;
+  // Puts such a picture into the cell. Both may be called for several frames at the same time.
+  void add(std::int64_t frame, const RgbImage& picture);
+  void add(std::int64_t frame, const FrameBuffer& pixels) {
+    if (const std::optional<RgbImage> picture = picture_of(frame, pixels)) add(frame, *picture);
+  }
 
   const RgbImage& image() const { return image_; }
   void write(const std::string& path) const { write_png(path, image_); }

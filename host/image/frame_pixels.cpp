@@ -2,11 +2,9 @@
 
 #include <half.h>
 
-#include <algorithm>
-#include <array>
 #include <span>
 
-#include "host/image/srgb.hpp"
+#include "host/image/pixels_over.hpp"
 #include "host/image/straight_pixels.hpp"
 #include "morphcl/error.hpp"
 
@@ -23,17 +21,16 @@ std::vector<T> array_of(const FrameBuffer& frame) {
   return std::vector<T>(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()) * 4);
 }
 
-// One channel of one pixel. `behind`: what is shown behind it.
-std::uint8_t over(float value, float alpha, float behind) { return srgb8(value + (1 - alpha) * behind); }
-
-std::vector<std::uint8_t> straight_pixels(const FrameBuffer& frame) {
+// Four bytes a pixel; `write` makes a line of them.
+template <class Write>
+std::vector<std::uint8_t> pixels_by_lines(const FrameBuffer& frame, Write write) {
   std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
   std::vector<PixelSpan> spans;
-  const std::size_t line_bytes = static_cast<std::size_t>(frame.width()) * straight_pixel_bytes(8);
+  const std::size_t line_bytes = static_cast<std::size_t>(frame.width()) * 4;
   for (int y = 0; y < frame.height(); ++y) {
     if (y % static_cast<int>(FrameBuffer::block_side) == 0)
       find_spans(spans, frame, y / static_cast<int>(FrameBuffer::block_side));
-    write_straight_pixels(frame, spans, y, 8, Exposure(), pixels.data() + static_cast<std::size_t>(y) * line_bytes);
+    write(spans, y, pixels.data() + static_cast<std::size_t>(y) * line_bytes);
   }
   return pixels;
 }
@@ -55,27 +52,14 @@ std::vector<float> to_rgba32f(const FrameBuffer& frame) {
 
 std::vector<std::uint8_t> to_srgb8(const FrameBuffer& frame, std::optional<Rgb> background) {
   require_color(frame);
-  if (!background) return straight_pixels(frame);
-  const std::array<float, 3> behind{linear_from_srgb8(background->red), linear_from_srgb8(background->green),
-                                    linear_from_srgb8(background->blue)};
-  const auto& code = srgb8_from_half();
-  const auto& value = displayable_from_half();
-  std::vector<std::uint8_t> pixels = array_of<std::uint8_t>(frame);
-  std::uint8_t* out = pixels.data();
-  for (int y = 0; y < frame.height(); ++y) {
-    const std::span<const std::uint16_t> alphas = frame.color_row(3, y);
-    const std::array<std::span<const std::uint16_t>, 3> colors{frame.color_row(0, y), frame.color_row(1, y),
-                                                               frame.color_row(2, y)};
-    for (std::size_t x = 0; x < alphas.size(); ++x) {
-      const float alpha = std::min(value[alphas[x]], 1.0f);
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const std::uint16_t stored = colors[channel][x];
-        *out++ = alpha == 1 ? code[stored] : over(value[stored], alpha, behind[channel]);
-      }
-      *out++ = 255;
-    }
-  }
-  return pixels;
+  if (!background)
+    return pixels_by_lines(frame, [&frame](const std::vector<PixelSpan>& spans, int y, std::uint8_t* out) {
+      write_straight_pixels(frame, spans, y, 8, Exposure(), out);
+    });
+  const PixelsOver over(*background, Exposure());
+  return pixels_by_lines(frame, [&frame, &over](const std::vector<PixelSpan>& spans, int y, std::uint8_t* out) {
+    over.write(frame, spans, y, 4, out);
+  });
 }
 
 }  // namespace morphcl

@@ -23,6 +23,9 @@ namespace {
 constexpr std::array<std::uint8_t, 2> zlib_head{0x78, 0x01};         // deflate, a window of 32 KB, fast
 constexpr std::array<std::uint8_t, 2> last_empty_block{0x03, 0x00};  // of the fixed codes: its end alone
 constexpr std::size_t hash_digits = 32;
+constexpr std::uint8_t png_rgb = 2, png_rgba = 6;  // colour types
+
+int stripes_in(const FrameBuffer& frame) { return (frame.height() + png_stripe_lines - 1) / png_stripe_lines; }
 
 // What one thread makes: stripes as they stand in a file, one IDAT chunk each.
 struct StripeRun {
@@ -32,17 +35,17 @@ struct StripeRun {
 };
 
 // Kept by the thread: fresh memory costs more than the work in it.
-PngStripes& stripes_of_this_thread(const FrameBuffer& frame, int bits, const Exposure& exposure) {
+PngStripes& stripes_of_this_thread(const FrameBuffer& frame, const PngPixels& pixels) {
   thread_local std::unique_ptr<PngStripes> stripes;
   if (!stripes) stripes = std::make_unique<PngStripes>();
-  stripes->begin(frame, bits, exposure);
+  stripes->begin(frame, pixels);
   return *stripes;
 }
 
 // Appends the stripes first to last - 1. `hasher` may be null.
-void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, const Exposure& exposure, int first, int last,
+void append_stripes(StripeRun& run, const FrameBuffer& frame, const PngPixels& pixels, int first, int last,
                     PngPixelHasher* hasher) {
-  PngStripes& stripes = stripes_of_this_thread(frame, bits, exposure);
+  PngStripes& stripes = stripes_of_this_thread(frame, pixels);
   for (int i = first; i < last; ++i) {
     const PngStripes::Stripe stripe = stripes.encode(i * png_stripe_lines);
     if (hasher) hasher->add(stripe.pixels);
@@ -53,20 +56,20 @@ void append_stripes(StripeRun& run, const FrameBuffer& frame, int bits, const Ex
 }
 
 // The same by further threads, while this one makes the hash, which goes through the pixels in their order.
-std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, int bits, const Exposure& exposure,
-                                                   int stripe_count, int threads, PngPixelHasher& hasher) {
+std::vector<StripeRun> encode_stripes_with_threads(const FrameBuffer& frame, const PngPixels& pixels, int stripe_count,
+                                                   int threads, PngPixelHasher& hasher) {
   std::vector<StripeRun> runs(static_cast<std::size_t>(threads));
   const auto encode_run = [&](int i) {
     StripeRun& run = runs[static_cast<std::size_t>(i)];
     try {
-      append_stripes(run, frame, bits, exposure, stripe_count * i / threads, stripe_count * (i + 1) / threads, nullptr);
+      append_stripes(run, frame, pixels, stripe_count * i / threads, stripe_count * (i + 1) / threads, nullptr);
     } catch (...) {
       run.failure = std::current_exception();
     }
   };
   std::vector<std::jthread> workers;
   const int started = start_threads(workers, threads, encode_run);
-  PngStripes& stripes = stripes_of_this_thread(frame, bits, exposure);
+  PngStripes& stripes = stripes_of_this_thread(frame, pixels);
   for (int i = 0; i < stripe_count; ++i) hasher.add(stripes.convert(i * png_stripe_lines));
   for (int i = started; i < threads; ++i) encode_run(i);
   workers.clear();  // a jthread joins when it goes
@@ -90,20 +93,25 @@ void append_texts(std::vector<char>& bytes, const FrameAttributes& attributes, c
   append_text_chunk(bytes, pixel_hash_text, hash);
 }
 
-// Replaces `bytes` by all that stands before the pixels.
-void write_png_head(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
-                    const std::string& hash) {
-  constexpr std::uint8_t rgba = 6, perceptual = 0;
+// Replaces `bytes` by what every file begins with.
+void write_png_opening(std::vector<char>& bytes, const FrameBuffer& frame, int bits, std::uint8_t color_type) {
+  constexpr std::uint8_t perceptual = 0;
   bytes.assign(png_signature.begin(), png_signature.end());
   const auto width = big_endian_bytes(static_cast<std::uint32_t>(frame.width()));
   const auto height = big_endian_bytes(static_cast<std::uint32_t>(frame.height()));
   std::array<std::uint8_t, 13> header{};  // its last three bytes are 0: deflate, the one set of filters, not interlaced
   std::copy(height.begin(), height.end(), std::copy(width.begin(), width.end(), header.begin()));
   header[8] = static_cast<std::uint8_t>(bits);
-  header[9] = rgba;
+  header[9] = color_type;
   append_chunk(bytes, "IHDR", header);
   append_chunk(bytes, "sRGB", std::array<std::uint8_t, 1>{perceptual});
   append_chunk(bytes, "gAMA", std::array<std::uint8_t, 4>{0x00, 0x00, 0xb1, 0x8f});  // 45455: what goes with sRGB
+}
+
+// Replaces `bytes` by all that stands before the pixels.
+void write_png_head(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
+                    const std::string& hash) {
+  write_png_opening(bytes, frame, bits, png_rgba);
   append_texts(bytes, attributes, hash);
 }
 
@@ -119,18 +127,19 @@ std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const
   check_png_bits(bits);
   if (!frame.has_color()) throw Error(ErrorKind::usage, "", "PNG of a frame without colour; ask for RGBA");
   write_png_head(bytes, frame, attributes, bits, std::string(hash_digits, '0'));  // the hash is not known yet
-  const int stripe_count = (frame.height() + png_stripe_lines - 1) / png_stripe_lines;
+  const PngPixels pixels{.bits = bits, .exposure = exposure};
+  const int stripe_count = stripes_in(frame);
   PngPixelHasher hasher(static_cast<std::uint32_t>(frame.width()), static_cast<std::uint32_t>(frame.height()), bits);
   StripeRun all;
   all.bytes.swap(bytes);
   if (threads > 1 && stripe_count > 1) {
     for (const StripeRun& run :
-         encode_stripes_with_threads(frame, bits, exposure, stripe_count, std::min(threads, stripe_count), hasher)) {
+         encode_stripes_with_threads(frame, pixels, stripe_count, std::min(threads, stripe_count), hasher)) {
       all.bytes.insert(all.bytes.end(), run.bytes.begin(), run.bytes.end());
       all.checksum.append(run.checksum);
     }
   } else {
-    append_stripes(all, frame, bits, exposure, 0, stripe_count, &hasher);
+    append_stripes(all, frame, pixels, 0, stripe_count, &hasher);
   }
   bytes.swap(all.bytes);
   append_end(bytes, all.checksum);
@@ -139,6 +148,17 @@ std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const
   write_png_head(head, frame, attributes, bits, hash);
   std::copy(head.begin(), head.end(), bytes.begin());
   return hash;
+}
+
+void encode_png_over(std::vector<char>& bytes, const FrameBuffer& frame, Rgb background, const Exposure& exposure) {
+  if (!frame.has_color()) throw Error(ErrorKind::usage, "", "a picture of a frame without colour; ask for RGBA");
+  const PngPixels pixels{.exposure = exposure, .background = background};
+  StripeRun all;
+  all.bytes.swap(bytes);
+  write_png_opening(all.bytes, frame, pixels.bits, png_rgb);
+  append_stripes(all, frame, pixels, 0, stripes_in(frame), nullptr);
+  bytes.swap(all.bytes);
+  append_end(bytes, all.checksum);
 }
 
 std::string relabel_png(std::vector<char>& bytes, std::span<const char> source, const FrameAttributes& attributes) {

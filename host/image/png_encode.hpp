@@ -15,6 +15,11 @@ namespace morphcl {
 std::string encode_png(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes, int bits,
                        int threads, const Exposure& exposure = Exposure());
 
+// Replaces `bytes` by a picture of the frame for people: R, G, B of 8 bits over the background, as to_srgb8() has them
+// without exposure, and nothing about the frame. Error(usage) when the frame has no colour.
+void encode_png_over(std::vector<char>& bytes, const FrameBuffer& frame, Rgb background,
+                     const Exposure& exposure = Exposure());
+
 // Replaces `bytes` by the file `source` with other attributes: its pixels and their hash are kept as they are, nothing
 // is decoded. `source` is what encode_png made, unchanged: where it comes from a disk, compare it with a hash of what
 // was written there. Returns the pixel hash. Error(internal) when it is something else.

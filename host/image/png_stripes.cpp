@@ -27,20 +27,30 @@ void Adler32::append(const Adler32& next) {
   bytes += next.bytes;
 }
 
-void PngStripes::begin(const FrameBuffer& frame, int bits, const Exposure& exposure) {
+void PngStripes::begin(const FrameBuffer& frame, const PngPixels& pixels) {
   frame_ = &frame;
-  bits_ = bits;
-  exposure_ = exposure;
-  line_bytes_ = static_cast<std::size_t>(frame.width()) * straight_pixel_bytes(bits);
+  bits_ = pixels.bits;
+  exposure_ = pixels.exposure;
+  over_.reset();
+  if (pixels.background) over_.emplace(*pixels.background, exposure_);
+  line_bytes_ = static_cast<std::size_t>(frame.width()) * (over_ ? 3 : straight_pixel_bytes(bits_));
   const auto lines = static_cast<std::size_t>(std::min(frame.height(), png_stripe_lines));
   pixels_.assign(line_bytes_ * (lines + 1), 0);
   for (auto* buffer : {&filtered_, &filtered_before_}) buffer->resize((line_bytes_ + 1) * lines);
   next_line_ = 0;
-  is_zero_ = true;
+  is_blank_ = !over_;  // zeros are no background's colour
   lines_before_ = zero_lines_before_ = 0;
 }
 
 int PngStripes::lines_of(int first_line) const { return std::min(png_stripe_lines, frame_->height() - first_line); }
+
+// With the spans of its row of blocks.
+void PngStripes::write_line(int y, std::uint8_t* out) const {
+  if (over_)
+    over_->write(*frame_, spans_, y, 3, out);
+  else
+    write_straight_pixels(*frame_, spans_, y, bits_, exposure_, out);
+}
 
 // Above the first line are zeros.
 void PngStripes::fetch_line_above(int first_line) {
@@ -50,7 +60,7 @@ void PngStripes::fetch_line_above(int first_line) {
     std::memcpy(pixels_.data(), stripe() + (png_stripe_lines - 1) * line_bytes_, line_bytes_);
   } else {
     find_spans(spans_, *frame_, (first_line - 1) / png_stripe_lines);
-    write_straight_pixels(*frame_, spans_, first_line - 1, bits_, exposure_, pixels_.data());
+    write_line(first_line - 1, pixels_.data());
   }
 }
 
@@ -58,11 +68,10 @@ std::span<const std::uint8_t> PngStripes::convert(int first_line) {
   const int lines = lines_of(first_line);
   find_spans(spans_, *frame_, first_line / png_stripe_lines);
   const bool blank = std::all_of(spans_.begin(), spans_.end(), [](const PixelSpan& span) { return span.blank; });
-  if (!blank || !is_zero_)
-    for (int i = 0; i < lines; ++i)
-      write_straight_pixels(*frame_, spans_, first_line + i, bits_, exposure_,
-                            stripe() + static_cast<std::size_t>(i) * line_bytes_);
-  is_zero_ = blank;
+  const bool stands_there = blank && is_blank_;
+  for (int i = 0; i < lines && !stands_there; ++i)
+    write_line(first_line + i, stripe() + static_cast<std::size_t>(i) * line_bytes_);
+  is_blank_ = blank;
   next_line_ = first_line + lines;
   return {stripe(), static_cast<std::size_t>(lines) * line_bytes_};
 }
@@ -80,12 +89,12 @@ void PngStripes::filter(int lines) {
 }
 
 PngStripes::Stripe PngStripes::encode(int first_line) {
-  const bool zero_above = first_line == 0 || (first_line == next_line_ && is_zero_);
+  const bool blank_above = first_line == 0 ? !over_ : first_line == next_line_ && is_blank_;
   fetch_line_above(first_line);
   const std::span<const std::uint8_t> pixels = convert(first_line);
   const int lines = lines_of(first_line);
   const auto line_count = static_cast<std::size_t>(lines);
-  const bool zero = zero_above && is_zero_;
+  const bool zero = blank_above && is_blank_;  // filtered
   if (zero && zero_lines_before_ == line_count) return {pixels, blocks_, checksum_};
 
   filter(lines);

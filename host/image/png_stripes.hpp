@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/image/blank_spans.hpp"
 #include "host/image/exposure.hpp"
+#include "host/image/pixels_over.hpp"
 #include "host/image/zlib_encoder.hpp"
 #include "morphcl/frame.hpp"
 
@@ -22,17 +24,25 @@ struct Adler32 {
   void append(const Adler32& next);
 };
 
+// What the pixels of a file are: R, G, B, A of `bits` (8 or 16) each with straight alpha, or, over a background, R, G,
+// B of 8 bits.
+struct PngPixels {
+  int bits = 8;
+  Exposure exposure = Exposure();
+  std::optional<Rgb> background = std::nullopt;
+};
+
 // Keeps its memory from frame to frame; for one thread at a time.
 class PngStripes {
  public:
   struct Stripe {
-    std::span<const std::uint8_t> pixels;  // as write_straight_pixels() has them
+    std::span<const std::uint8_t> pixels;  // unfiltered, without gaps
     std::span<const std::uint8_t> blocks;  // of DeflatePieces, for the filtered lines
     Adler32 checksum;                      // of the filtered lines
   };
 
-  // encode() is about this frame now, of `bits` a sample.
-  void begin(const FrameBuffer& frame, int bits, const Exposure& exposure);
+  // encode() is about this frame now.
+  void begin(const FrameBuffer& frame, const PngPixels& pixels);
   // The stripe whose first line is `first_line`, a multiple of 16; it stays until the next call. In order they cost
   // least: one with the same lines as the one before costs a comparison, one whose blocks are known to be blank, like
   // the two before, costs nothing.
@@ -42,6 +52,7 @@ class PngStripes {
 
  private:
   int lines_of(int first_line) const;
+  void write_line(int y, std::uint8_t* out) const;
   std::uint8_t* stripe() { return pixels_.data() + line_bytes_; }
   void fetch_line_above(int first_line);
   void filter(int lines);
@@ -50,15 +61,16 @@ class PngStripes {
   const FrameBuffer* frame_ = nullptr;
   int bits_ = 8;
   Exposure exposure_;
+  std::optional<PixelsOver> over_;
   std::size_t line_bytes_ = 0;
   std::vector<PixelSpan> spans_;
   std::vector<std::uint8_t> pixels_;  // of the line above the stripe, and of the stripe
   int next_line_ = 0;                 // the one below the stripe
-  bool is_zero_ = false;              // every byte of the stripe
+  bool is_blank_ = false;             // every pixel of the stripe
   std::vector<std::uint8_t> filtered_, blocks_;
   Adler32 checksum_;                                      // of the lines that blocks_ holds
   std::vector<std::uint8_t> filtered_before_ = {};        // those lines
-  std::size_t lines_before_ = 0, zero_lines_before_ = 0;  // how many; how many if all of them are zero
+  std::size_t lines_before_ = 0, zero_lines_before_ = 0;  // how many; how many if all are zero
 };
 
 }  // namespace morphcl

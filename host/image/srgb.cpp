@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host/math/fifth_root.hpp"
+
 namespace morphcl {
 
 namespace {
@@ -12,17 +14,6 @@ constexpr float max_half = 65504.0f;
 constexpr double max_code = 65535;
 constexpr std::size_t middle_code = 128;  // of the 257 codes of 16 bits that have one code of 8 bits, counted from 0
 constexpr std::size_t codes_per_code8 = 257;  // 65535 / 255
-
-// The root of x^5 = value, from 0 to 1, by Newton's iteration. No pow of a C library: those differ.
-double fifth_root(double value) {
-  double root = 1;
-  for (double next = 0;; root = next) {
-    const double square = root * root;
-    const double fourth = square * square;
-    next = root - (fourth * root - value) / (5 * fourth);
-    if (next >= root) return root;  // it falls until it is exact but for rounding
-  }
-}
 
 // The value of the code `twice` / 2, of 65535: code/12.92 up to 0.04045, then ((code + 0.055) / 1.055)^2.4.
 // Below, one division of whole numbers; above, within 2^-49.

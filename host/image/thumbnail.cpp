@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "host/image/srgb.hpp"
@@ -36,17 +37,57 @@ std::vector<Span> spans(int source, int output) {
 
 using Pixel = std::array<float, 4>;  // R, G, B, A, premultiplied
 
-void add_row(const FrameBuffer& frame, int y, float row_share, const std::vector<Span>& columns,
+// What the output columns show of a row of blocks. Blank blocks add nothing, and their memory may hold anything.
+struct BlockRow {
+  std::vector<std::pair<std::size_t, std::size_t>> drawn;  // runs of columns without blank blocks: first, one behind
+  std::vector<std::size_t> mixed;                          // columns with blank blocks and others
+};
+
+BlockRow block_row(const FrameBuffer& frame, int block_y, const std::vector<Span>& columns) {
+  constexpr int side = FrameBuffer::block_side;
+  BlockRow row;
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    const int first = columns[x].first / side, last = columns[x].last / side;
+    int blank = 0;
+    for (int block = first; block <= last; ++block) blank += frame.blank_block(block, block_y) ? 1 : 0;
+    if (blank == last - first + 1) continue;
+    if (blank > 0)
+      row.mixed.push_back(x);
+    else if (!row.drawn.empty() && row.drawn.back().second == x)
+      ++row.drawn.back().second;
+    else
+      row.drawn.emplace_back(x, x + 1);
+  }
+  return row;
+}
+
+// The mean's sum over a span of a row: its first pixel, those between, its last.
+float span_sum(const std::uint16_t* row, const Span& span, const std::array<float, 65536>& value) {
+  float sum = span.first_share * value[row[span.first]];
+  for (int i = span.first + 1; i < span.last; ++i) sum += value[row[i]];
+  if (span.last > span.first) sum += span.last_share * value[row[span.last]];
+  return sum;
+}
+
+// The same without the pixels of blank blocks.
+float mixed_sum(const FrameBuffer& frame, int y, const std::uint16_t* row, const Span& span,
+                const std::array<float, 65536>& value) {
+  constexpr int side = FrameBuffer::block_side;
+  float sum = 0;
+  for (int i = span.first; i <= span.last; ++i)
+    if (!frame.blank_block(i / side, y / side)) sum += span.share(i) * value[row[i]];
+  return sum;
+}
+
+void add_row(const FrameBuffer& frame, int y, float row_share, const std::vector<Span>& columns, const BlockRow& blocks,
              std::vector<Pixel>& sums) {
   const auto& value = displayable_from_half();
-  for (int channel = 0; channel < 4; ++channel) {
-    const std::span<const std::uint16_t> row = frame.color_row(channel, y);
-    for (std::size_t x = 0; x < columns.size(); ++x) {
-      const Span& span = columns[x];
-      float sum = 0;
-      for (int i = span.first; i <= span.last; ++i) sum += span.share(i) * value[row[static_cast<std::size_t>(i)]];
-      sums[x][static_cast<std::size_t>(channel)] += row_share * sum;
-    }
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    const std::uint16_t* const row = frame.color_row(static_cast<int>(channel), y).data();
+    for (const auto& [first, end] : blocks.drawn)
+      for (std::size_t x = first; x < end; ++x) sums[x][channel] += row_share * span_sum(row, columns[x], value);
+    for (const std::size_t x : blocks.mixed)
+      sums[x][channel] += row_share * mixed_sum(frame, y, row, columns[x], value);
   }
 }
 
@@ -76,10 +117,19 @@ RgbImage thumbnail(const FrameBuffer& frame, PictureSize size, double gain) {
   const float area = static_cast<float>(pixels / size.width / size.height);
   RgbImage image(size.width, size.height, picture_background);
   std::vector<Pixel> sums(columns.size());
+  constexpr int side = FrameBuffer::block_side;
+  int block_y = -1;
+  BlockRow blocks;
   for (int y = 0; y < size.height; ++y) {
     std::fill(sums.begin(), sums.end(), Pixel{});
     const Span& span = rows[static_cast<std::size_t>(y)];
-    for (int i = span.first; i <= span.last; ++i) add_row(frame, i, span.share(i), columns, sums);
+    for (int i = span.first; i <= span.last; ++i) {
+      if (i / side != block_y) {
+        block_y = i / side;
+        blocks = block_row(frame, block_y, columns);
+      }
+      add_row(frame, i, span.share(i), columns, blocks, sums);
+    }
     for (int x = 0; x < size.width; ++x)
       image.at(x, y) = over_background(sums[static_cast<std::size_t>(x)], area, static_cast<float>(gain));
   }

@@ -9,6 +9,8 @@
 #include "host/image/atomic_file.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/pixel_hash.hpp"
+#include "host/image/png_encode.hpp"
+#include "host/image/thumbnail.hpp"
 #include "host/temporary_file.hpp"
 #include "morphcl/error.hpp"
 
@@ -60,7 +62,7 @@ std::set<std::string> places_of_inputs(const Scene& scene) {
 }
 
 // Kept from frame to frame: the first touch of fresh memory costs more than the encoding.
-thread_local std::vector<char> encoded, read_back;
+thread_local std::vector<char> encoded, preview_file, read_back;
 
 // The bytes of the file if they are what was written.
 bool read_unchanged(const std::string& path, const WrittenFrame& written, std::vector<char>& bytes) {
@@ -94,7 +96,7 @@ FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::st
       pattern_(job.pattern),
       file_(job, image_),
       encoders_(encoders),
-      gain_(file_.changes_pixels() ? 1 : exposure_gain(job.exposure_stops)) {
+      exposure_(file_.changes_pixels() ? 0 : job.exposure_stops) {
   check_settings(job, image_, pattern_);
   if (job.frames.empty()) return;
   check_outputs(scene);
@@ -102,7 +104,7 @@ FrameOutput::FrameOutput(const RenderJob& job, const Scene& scene, const std::st
   if (job.contact_sheet.empty()) return;
   check_can_create(job.contact_sheet);
   remove_stale_temporaries(job.contact_sheet);
-  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height}, gain_);
+  sheet_ = std::make_unique<ContactSheet>(job.frames, PictureSize{image_.width, image_.height}, exposure_.gain());
 }
 
 void FrameOutput::check_outputs(const Scene& scene) const {
@@ -133,6 +135,11 @@ void FrameOutput::check_outputs(const Scene& scene) const {
   if (job_.preview) check_name_length(preview_path(longest));
 }
 
+bool FrameOutput::exists(std::int64_t frame) const {
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::symlink_status(path(frame), error));
+}
+
 std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   FrameResult result;
   result.frame = frame;
@@ -142,7 +149,7 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   if (!finished || finished->attributes.frame != frame) return std::nullopt;  // or another frame's, under this name
   result.hash = finished->hash;
   try {
-    if (finished->pixels) draw_pictures(result, *finished->pixels);
+    if (finished->pixels) save_pictures(make_pictures(frame, *finished->pixels), result);
   } catch (const std::exception& error) {
     set_failed(result, error);
   }
@@ -152,21 +159,22 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
 WrittenFrame FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
                                 int encoding_threads, const std::function<void()>& pixels_done) {
   try {
+    FramePictures pictures;
     encoders_.acquire();
     try {
       result.hash = file_.encode(encoded, pixels, attributes, encoding_threads);
+      if (file_.changes_pixels() && draws_pictures())
+        pictures = make_pictures(result.frame, file_.decode(encoded));  // as of a frame that is kept or copied
+      else
+        pictures = make_pictures(result.frame, pixels);
     } catch (...) {
       encoders_.release();
       throw;
     }
     encoders_.release();
-    const bool shows_pixels = draws_pictures() && !file_.changes_pixels();
-    if (!shows_pixels) pixels_done();
+    pixels_done();
     save(encoded, result);
-    if (shows_pixels)
-      draw_pictures(result, pixels);
-    else if (draws_pictures())
-      draw_pictures(result, file_.decode(encoded));  // as of a frame that is kept or copied
+    save_pictures(pictures, result);
     if (!job_.reuse_equal_frames) return {};
     return {result.frame, encoded.size(), text_hash({encoded.data(), encoded.size()})};
   } catch (const std::exception& error) {
@@ -180,7 +188,7 @@ bool FrameOutput::copy(const WrittenFrame& source, const FrameAttributes& attrib
   try {
     result.hash = file_.relabel(encoded, read_back, attributes);
     save(encoded, result);
-    if (draws_pictures()) draw_pictures(result, file_.decode(encoded));
+    if (draws_pictures()) save_pictures(make_pictures(result.frame, file_.decode(encoded)), result);
   } catch (const std::exception& error) {
     set_failed(result, error);
   }
@@ -205,9 +213,16 @@ void FrameOutput::finish() const {
   if (sheet_) sheet_->write(job_.contact_sheet);
 }
 
-void FrameOutput::draw_pictures(const FrameResult& result, const FrameBuffer& pixels) {
-  if (job_.preview) write_png(preview_path(result.path), thumbnail(pixels, {pixels.width(), pixels.height()}, gain_));
-  if (sheet_) sheet_->add(result.frame, pixels);
+FrameOutput::FramePictures FrameOutput::make_pictures(std::int64_t frame, const FrameBuffer& pixels) const {
+  FramePictures pictures;
+  if (job_.preview) encode_png_over(preview_file, pixels, picture_background, exposure_);
+  if (sheet_) pictures.cell = sheet_->picture_of(frame, pixels);
+  return pictures;
+}
+
+void FrameOutput::save_pictures(const FramePictures& pictures, const FrameResult& result) {
+  if (job_.preview) write_file_atomically(preview_path(result.path), preview_file);
+  if (pictures.cell) sheet_->add(result.frame, *pictures.cell);
 }
 
 }  // namespace morphcl

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "host/image/contact_sheet.hpp"
+#include "host/image/exposure.hpp"
 #include "host/job/equal_frames.hpp"
 #include "host/job/frame_file.hpp"
 #include "host/job/frame_pattern.hpp"
@@ -29,6 +30,7 @@ class FrameOutput {
   FrameOutput(const RenderJob& job, const Scene& scene, const std::string& deviation, int encoders);
 
   std::string path(std::int64_t frame) const { return pattern_.path(frame); }
+  bool exists(std::int64_t frame) const;                           // whatever stands there
   const std::string& fingerprint() const { return fingerprint_; }  // of the scene, and of a renderer that deviates
 
   // The result of a frame that a former run finished, with its pictures drawn; nothing when it has to be rendered. May
@@ -54,7 +56,12 @@ class FrameOutput {
   void check_outputs(const Scene& scene) const;
   void save(std::span<const char> file, const FrameResult& result) const;
   bool draws_pictures() const { return job_.preview || sheet_; }
-  void draw_pictures(const FrameResult& result, const FrameBuffer& pixels);
+  // Of one frame, by one thread; its preview is kept by the thread.
+  struct FramePictures {
+    std::optional<RgbImage> cell;  // of the contact sheet
+  };
+  FramePictures make_pictures(std::int64_t frame, const FrameBuffer& pixels) const;
+  void save_pictures(const FramePictures& pictures, const FrameResult& result);
 
   const RenderJob& job_;
   const std::string fingerprint_;
@@ -63,7 +70,7 @@ class FrameOutput {
   const FrameFile file_;
   std::counting_semaphore<> encoders_;
   // Of pictures: PNG frames have it in their pixels, which pictures are made of.
-  const double gain_;
+  const Exposure exposure_;
   std::unique_ptr<ContactSheet> sheet_;
 };
 

@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "host/image/contact_sheet.hpp"
+#include "host/image/exposure.hpp"
+#include "host/image/png_encode.hpp"
 #include "host/image/srgb.hpp"
 #include "morphcl/error.hpp"
 #include "tests/image/test_frames.hpp"
@@ -49,6 +51,48 @@ TEST(Png, ComesBackAndIsTheSameEveryTime) {
   EXPECT_EQ(read.pixels, image.pixels);
   EXPECT_EQ(bytes_of(folder / "a.png"), bytes_of(folder / "b.png"));
   EXPECT_THROW(write_png("/proc/nope/a.png", image), Error);
+}
+
+// 10 x 9 blocks, cut off on the right and below; rows of blocks that are blank wholly, in part and not at all. Its
+// blank blocks hold `with`.
+FrameBuffer partly_blank_frame(std::uint16_t with) {
+  FrameBuffer frame = arbitrary_frame(150, 140, true, true);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 10; ++x)
+      if (y < 3 || y == 8 || (y % 2 == 0 && x % 3 != 0)) make_blank(frame, x, y, with);
+  return frame;
+}
+
+TEST(Png, OfAFrameOverAColourIsItsPicture) {
+  std::vector<FrameBuffer> frames;
+  for (const auto& [width, height] : {std::pair{1, 1}, {37, 11}, {64, 16}, {129, 50}})
+    for (const bool noise : {false, true})
+      frames.push_back(noise ? arbitrary_frame(width, height, true, false) : disc_frame(width, height));
+  frames.push_back(partly_blank_frame(0x3c01));
+  frames.push_back(FrameBuffer(40, 64, true, true));
+  const TemporaryFolder folder;
+  std::vector<char> bytes;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (const double stops : {0.0, 1.0, -3.0}) {  // whole ones: the product is exact in both
+      encode_png_over(bytes, frames[i], picture_background, Exposure(stops));
+      test_support::write_bytes(folder / "a.png", bytes);
+      const RgbImage read = read_png(folder / "a.png");
+      ASSERT_EQ(read.width, frames[i].width());
+      ASSERT_EQ(read.height, frames[i].height());
+      EXPECT_EQ(read.pixels, thumbnail(frames[i], {frames[i].width(), frames[i].height()}, exposure_gain(stops)).pixels)
+          << "frame " << i << ", " << stops << " stops";
+    }
+  }
+  EXPECT_THROW(encode_png_over(bytes, FrameBuffer(4, 4, false, true), picture_background), Error);
+}
+
+TEST(Thumbnail, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
+  const FrameBuffer marked = partly_blank_frame(0x3c01);
+  FrameBuffer plain = partly_blank_frame(0);
+  plain.data();  // nothing counts as blank any more
+  for (const auto& [width, height] : {std::pair{150, 140}, {149, 70}, {31, 29}, {9, 3}, {1, 1}})
+    EXPECT_EQ(thumbnail(marked, {width, height}).pixels, thumbnail(plain, {width, height}).pixels)
+        << width << " x " << height;
 }
 
 TEST(Thumbnail, SizeKeepsProportionsAndNeverGrows) {
