@@ -1,6 +1,7 @@
 #include "cli/console.hpp"
 
 #include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -41,6 +42,13 @@ void check_results() {
 }
 
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) == 1 && !environment_says("TERM", "dumb"); }
+
+int terminal_columns() {
+  constexpr int usual = 80;
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : usual;
+}
 
 bool colors_wanted() {
   const char* no_color = std::getenv("NO_COLOR");

@@ -16,6 +16,7 @@ void print_progress(std::string_view line);  // to stderr, as it is
 void check_results();
 
 bool stderr_is_terminal();
-bool colors_wanted();  // a terminal on stderr, NO_COLOR unset or empty, TERM not "dumb"
+int terminal_columns();  // of the terminal on stderr, as it is now; 80 when it does not say
+bool colors_wanted();    // a terminal on stderr, NO_COLOR unset or empty, TERM not "dumb"
 
 }  // namespace morphcl::cli

@@ -3,64 +3,110 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <string>
+#include <utility>
 
 #include "cli/console.hpp"
+#include "host/threads.hpp"
 
 namespace morphcl::cli {
 
 namespace {
-constexpr std::size_t bar_cells = 30;
-
-std::string clock_text(double seconds) {
-  const long whole = std::lround(std::min(seconds, 359'999.0));  // at most 99:59:59
-  return whole < 3600 ? fmt::format("{:02}:{:02}", whole / 60, whole % 60)
-                      : fmt::format("{:02}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+constexpr std::chrono::milliseconds shortest_pause{40}, longest_pause{200};  // between two draws
 }
-}  // namespace
 
-ProgressBar::ProgressBar(std::size_t total, bool visible)
-    : total_(total), visible_(visible && total > 0 && stderr_is_terminal()) {
+ProgressBar::ProgressBar(std::size_t total, Work work, bool visible)
+    : total_(total),
+      work_(std::move(work)),
+      visible_(visible && total > 0 && stderr_is_terminal()),
+      speed_start_(Clock::now()) {
+  if (!visible_) return;
   draw();
+  std::vector<std::jthread> threads;
+  start_threads(threads, 1, [this](const std::stop_token& stop, int) { keep_drawing(stop); });
+  const std::lock_guard lock(mutex_);
+  threads_.swap(threads);
 }
 
 void ProgressBar::close() {
-  erase();
-  visible_ = false;
+  std::vector<std::jthread> threads;
+  {
+    const std::lock_guard lock(mutex_);
+    erase();
+    visible_ = false;
+    threads.swap(threads_);
+  }
+  threads.clear();  // each is asked to stop and waited for
 }
 
-void ProgressBar::advance(bool written) {
-  ++done_;
-  if (written) ++written_;
+void ProgressBar::checked() {
+  const std::lock_guard lock(mutex_);
+  ++checked_;
+  if (checked_ == total_) speed_start_ = Clock::now();
+  draw_soon();
+}
+
+void ProgressBar::drawn() {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(any_drawn_, true)) return;
   draw();
 }
 
+void ProgressBar::advance(bool written) {
+  const std::lock_guard lock(mutex_);
+  ++done_;
+  if (written && ++written_ == 1 && done_ < total_) {
+    // What came before, such as compiling, says nothing about the frames to come.
+    speed_start_ = Clock::now();
+    written_at_start_ = 1;
+  }
+  draw_soon();
+}
+
 void ProgressBar::message(std::string_view line) {
+  const std::lock_guard lock(mutex_);
   erase();
   print_message(line);
   draw();
 }
 
-double ProgressBar::frames_per_second() const {
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  return elapsed.count() > 0 ? static_cast<double>(written_) / elapsed.count() : 0.0;
+ProgressState ProgressBar::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_now();
 }
 
-double ProgressBar::seconds_left() const {
-  const double speed = frames_per_second();
-  return speed > 0 ? static_cast<double>(total_ - std::min(done_, total_)) / speed : 0.0;
+std::size_t ProgressBar::done() const {
+  const std::lock_guard lock(mutex_);
+  return done_;
 }
 
-void ProgressBar::draw() const {
+ProgressState ProgressBar::state_now() const {
+  ProgressState state;
+  state.total = total_;
+  if (work_.checks_first && checked_ < total_ && !any_drawn_) {
+    state.phase = ProgressState::Phase::checking;
+    state.done = checked_;
+    return state;
+  }
+  state.done = done_;
+  if (!any_drawn_ && work_.kernels_compiled) state.kernels = work_.kernels_compiled();
+  if (state.kernels > 0) state.phase = ProgressState::Phase::compiling;
+  const std::chrono::duration<double> elapsed = Clock::now() - speed_start_;
+  if (written_ > written_at_start_ && elapsed.count() > 0)
+    state.frames_per_second = static_cast<double>(written_ - written_at_start_) / elapsed.count();
+  if (state.frames_per_second > 0)
+    state.seconds_left = static_cast<double>(total_ - std::min(done_, total_)) / state.frames_per_second;
+  return state;
+}
+
+void ProgressBar::draw_soon() {
+  if (visible_ && (done_ == total_ || Clock::now() - last_draw_ >= shortest_pause)) draw();
+}
+
+void ProgressBar::draw() {
   if (!visible_) return;
-  const std::size_t full = bar_cells * std::min(done_, total_) / total_;
-  std::string bar(full, '#');
-  if (colors_wanted()) bar = "\033[32m" + bar + "\033[0m";
-  bar += std::string(bar_cells - full, '.');
-  fmt::print(stderr, "\r[{}] {}/{} frames  {:.1f} frames/s  {} left\033[K", bar, done_, total_, frames_per_second(),
-             clock_text(seconds_left()));
+  last_draw_ = Clock::now();
+  fmt::print(stderr, "\r{}\033[K", progress_line(state_now(), terminal_columns(), colors_wanted()));
   std::fflush(stderr);
 }
 
@@ -68,6 +114,11 @@ void ProgressBar::erase() const {
   if (!visible_) return;
   fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
+}
+
+void ProgressBar::keep_drawing(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!closed_.wait_for(lock, stop, longest_pause, [&stop] { return stop.stop_requested(); })) draw();
 }
 
 }  // namespace morphcl::cli

@@ -80,9 +80,15 @@ int render_command(const RenderOptions& options) {
   if (!options.contact_sheet.empty()) settings.extra_outputs.push_back(options.contact_sheet);
   settings.json = options.json;
   settings.quiet = options.quiet;
+  settings.checks_first = options.resume;
+  if (opened.session) settings.kernels_compiled = [&opened] { return opened.session->kernels_compiled(); };
   RenderReport report(job.frames.size(), settings);
   std::future<void> programs_stored;  // from the first frame on, as it takes about as long as compiling them did
-  job.on_drawn = [&in_work](std::int64_t frame) { in_work.drawn(frame); };
+  job.on_checked = [&report](std::int64_t) { report.checked(); };
+  job.on_drawn = [&](std::int64_t frame) {
+    in_work.drawn(frame);
+    report.drawn();
+  };
   job.on_frame = [&](const FrameResult& result) {
     report.frame(result);
     in_work.reported(result);

@@ -28,6 +28,18 @@ const char* status_name(Status status) {
   return "failed";
 }
 
+const char* phase_name(ProgressState::Phase phase) {
+  switch (phase) {
+    case ProgressState::Phase::checking:
+      return "checking";
+    case ProgressState::Phase::compiling:
+      return "compiling";
+    case ProgressState::Phase::drawing:
+      return "drawing";
+  }
+  return "drawing";
+}
+
 std::vector<std::int64_t> frames_of(const JobResult& result, Status status) {
   std::vector<std::int64_t> frames;
   for (const FrameResult& frame : result.frames)
@@ -43,6 +55,11 @@ std::string reason_of(const std::string& error) {
 
 std::size_t count_of(const JobResult& result, Status status) {
   const auto is = [status](const FrameResult& frame) { return frame.status == status; };
+  return static_cast<std::size_t>(std::count_if(result.frames.begin(), result.frames.end(), is));
+}
+
+std::size_t replaced_frames(const JobResult& result) {
+  const auto is = [](const FrameResult& frame) { return frame.status != Status::failed && frame.replaced; };
   return static_cast<std::size_t>(std::count_if(result.frames.begin(), result.frames.end(), is));
 }
 }  // namespace
@@ -79,7 +96,9 @@ int exit_code(const JobResult& result) {
 }
 
 RenderReport::RenderReport(std::size_t total, Settings settings)
-    : total_(total), settings_(std::move(settings)), bar_(total, !settings_.json && !settings_.quiet) {}
+    : total_(total),
+      settings_(std::move(settings)),
+      bar_(total, {settings_.checks_first, settings_.kernels_compiled}, !settings_.json && !settings_.quiet) {}
 
 void RenderReport::frame(const FrameResult& result) {
   bar_.advance(result.status == Status::rendered || result.status == Status::copied);
@@ -90,10 +109,12 @@ void RenderReport::frame(const FrameResult& result) {
   if (!settings_.json) return;
   print_frame(result);
   if (settings_.quiet) return;
+  const ProgressState state = bar_.state();
   print_progress(line_of(json_object("progress", {{"done", bar_.done()},
                                                   {"total", total_},
-                                                  {"frames_per_second", bar_.frames_per_second()},
-                                                  {"seconds_left", bar_.seconds_left()}})));
+                                                  {"frames_per_second", state.frames_per_second},
+                                                  {"seconds_left", state.seconds_left},
+                                                  {"phase", phase_name(state.phase)}})));
 }
 
 void RenderReport::print_frame(const FrameResult& result) const {
@@ -102,7 +123,7 @@ void RenderReport::print_frame(const FrameResult& result) const {
   if (result.status == Status::failed)
     frame.update({{"error", result.error}, {"code", result.error_code}});
   else
-    frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}});
+    frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}, {"replaced", result.replaced}});
   print_result(line_of(frame));
 }
 
@@ -135,6 +156,7 @@ int RenderReport::finish(const JobResult& result) {
 void RenderReport::summary(const JobResult& result, double seconds) const {
   const std::size_t rendered = count_of(result, Status::rendered), copied = count_of(result, Status::copied);
   const std::size_t kept = count_of(result, Status::kept), failed = count_of(result, Status::failed);
+  const std::size_t replaced = replaced_frames(result);
   const double speed = seconds > 0 ? static_cast<double>(rendered + copied) / seconds : 0.0;
   if (settings_.json) {
     print_result(line_of(json_object("summary", {{"device", settings_.device},
@@ -142,6 +164,7 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
                                                  {"rendered", rendered},
                                                  {"kept", kept},
                                                  {"copied", copied},
+                                                 {"replaced", replaced},
                                                  {"failed", failed},
                                                  {"interrupted", result.interrupted},
                                                  {"seconds", seconds},
@@ -155,9 +178,13 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
   const auto last = std::find_if(result.frames.rbegin(), result.frames.rend(), whole);
   std::string line = fmt::format("{} frames rendered", rendered);
   if (copied > 0) line += fmt::format(", {} copied", copied);
+  if (replaced > 0)
+    line += fmt::format(" ({} in place of files that were damaged or not of this shot and these settings)", replaced);
   if (kept > 0) line += fmt::format(", {} kept", kept);
   if (failed > 0) line += fmt::format(", {} failed ({})", failed, frame_ranges(frames_of(result, Status::failed)));
-  line += fmt::format(" on {} in {:.2f} s ({:.1f} frames/s): {}", settings_.device, seconds, speed, first->path);
+  line += fmt::format(" on {} in {:.2f} s", settings_.device, seconds);
+  if (rendered + copied > 0) line += fmt::format(" ({:.1f} frames/s)", speed);
+  line += ": " + first->path;
   if (first->frame != last->frame) line += " to " + last->path;
   for (const std::string& path : settings_.extra_outputs) line += ", " + path;
   print_result(line);

@@ -1,6 +1,7 @@
 // What a render job tells: frames as they finish, failures, and the line at the end.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,12 +15,16 @@ class RenderReport {
  public:
   struct Settings {
     std::string device;
-    std::vector<std::string> extra_outputs;  // the contact sheet
+    std::vector<std::string> extra_outputs;         // the contact sheet
+    bool checks_first = false;                      // finished frames are looked for before any is drawn
+    std::function<std::size_t()> kernels_compiled;  // so far; for any thread; empty: nothing is compiled
     bool json = false;
     bool quiet = false;
   };
   RenderReport(std::size_t total, Settings settings);
 
+  void checked() { bar_.checked(); }  // a frame was looked for
+  void drawn() { bar_.drawn(); }      // a frame, which is not written yet
   // With --json one object on stdout a frame, and one on stderr for the progress unless quiet. A failure is one line on
   // stderr, and those that follow for the same reason none: finish() counts them.
   void frame(const FrameResult& result);

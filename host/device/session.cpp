@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -71,6 +72,7 @@ struct Session::Impl {
   std::string cache_name;     // for people; "" where there is no folder
   std::string cache_trouble;  // guarded by programs_mutex
 
+  std::atomic<std::size_t> kernels_compiled{0};
   std::mutex programs_mutex;
   using ProgramKey = std::pair<std::string, std::string>;              // file, all build options
   std::map<std::pair<ProgramKey, std::string>, cl::Program> programs;  // by kernel as well
@@ -103,6 +105,7 @@ struct Session::Impl {
     if (program()) return program;
     const std::string text = text_of(source);
     if (auto cached = cache->load(context, text, key.second, kernel)) return program = *cached;
+    ++kernels_compiled;
     SourceProgram& built = source_programs[key];
     if (!built.program()) {
       built.program = build_from_source(context, source.file, text, key.second,
@@ -197,6 +200,8 @@ Kernel kernel_of(Session& session, const KernelSource& source, const std::string
   return checked(fmt::format("kernel {} of {}", kernel_name, source.file),
                  [&] { return SessionAccess::impl(session).kernel(source, kernel_name, more_options); });
 }
+
+std::size_t Session::kernels_compiled() const { return impl_->kernels_compiled; }
 
 std::string Session::cache_trouble() const {
   const std::lock_guard lock(impl_->programs_mutex);

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <unordered_set>
 #include <utility>
 
 #include "host/job/equal_frames.hpp"
@@ -58,6 +59,11 @@ class JobRun {
     if (job_.on_frame) job_.on_frame(result);
   }
 
+  void report_checked(std::int64_t frame) {
+    const std::lock_guard lock(report_mutex_);
+    if (job_.on_checked) job_.on_checked(frame);
+  }
+
   std::vector<std::int64_t> keep_finished_frames();
   void render(const std::vector<std::int64_t>& frames);
   void add_frame(PlannedFrame& planned, WriteQueue& queue);
@@ -75,22 +81,30 @@ class JobRun {
   EqualFrames equal_frames_;
   std::mutex report_mutex_, lost_mutex_;
   std::vector<std::pair<std::int64_t, PlanDigest>> lost_copies_;  // frames whose source could not be read
+  std::unordered_set<std::int64_t> useless_files_;                // frames that had a file which was not kept
   JobResult result_;
 };
 
 // Reports the frames that stand already and returns the others, in the job's order. Decoding takes as long as writing,
 // so all threads share it.
 std::vector<std::int64_t> JobRun::keep_finished_frames() {
-  std::vector<char> kept(job_.frames.size(), 0);
+  enum class FrameState : char { missing, useless, kept };
+  std::vector<FrameState> states(job_.frames.size(), FrameState::missing);
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
+  const auto check_frame = [&](std::size_t i) {
+    const std::int64_t frame = job_.frames[i];
+    const auto result = output_.keep(frame);
+    if (result)
+      states[i] = FrameState::kept;
+    else if (output_.exists(frame))
+      states[i] = FrameState::useless;
+    report_checked(frame);
+    if (result) report(*result);
+  };
   const auto check_frames = [&] {
     try {
-      for (std::size_t i; !stopped() && (i = next++) < job_.frames.size();)
-        if (const auto result = output_.keep(job_.frames[i])) {
-          kept[i] = 1;
-          report(*result);
-        }
+      for (std::size_t i; !stopped() && (i = next++) < job_.frames.size();) check_frame(i);
     } catch (...) {
       const std::lock_guard lock(report_mutex_);
       if (!failure) failure = std::current_exception();
@@ -104,8 +118,10 @@ std::vector<std::int64_t> JobRun::keep_finished_frames() {
   }
   if (failure) std::rethrow_exception(failure);
   std::vector<std::int64_t> missing;
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    if (!kept[i]) missing.push_back(job_.frames[i]);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] != FrameState::kept) missing.push_back(job_.frames[i]);
+    if (states[i] == FrameState::useless) useless_files_.insert(job_.frames[i]);
+  }
   return missing;
 }
 
@@ -171,6 +187,7 @@ FrameTask JobRun::task_for(const PlannedFrame& planned) const {
   FrameTask task;
   task.result.frame = planned.frame;
   task.result.path = output_.path(planned.frame);
+  task.result.replaced = useless_files_.count(planned.frame) != 0;
   if (planned.plan) task.attributes = planned.plan->attributes();
   task.attributes.fingerprint = output_.fingerprint();
   task.attributes.deviation = renderer_.deviation();

@@ -24,6 +24,9 @@ struct FrameResult {
   std::string error;        // one line, when failed
   int error_code = 0;       // the exit code of that error's kind
   double milliseconds = 0;  // drawing alone; 0 unless it was rendered
+  // Of a resumed job's frame that was rendered or copied: a file stood under its name that was not kept, since it was
+  // damaged, or of another shot, other settings or another frame.
+  bool replaced = false;
 };
 
 enum class FrameFormat { exr, png };
@@ -60,6 +63,9 @@ struct RenderJob {
   // encoded; at most max_exposure_stops either way. EXR frames stay as they are.
   double exposure_stops = 0;
   bool preview = false;  // a PNG beside each frame, its name ending in .png instead of .exr
+  // Of a resumed job: called as on_frame is, and before it, when a frame was looked for, whether it is kept or not.
+  // Drawing begins when it was called for all.
+  std::function<void(std::int64_t)> on_checked = {};
   // Called from run()'s thread with the number of a frame that is drawn and goes to be written.
   std::function<void(std::int64_t)> on_drawn = {};
   std::function<void(const FrameResult&)> on_frame = {};  // called in order of completion, from one thread at a time
@@ -79,9 +85,9 @@ struct JobResult {
 // ending, an unknown compression, other PNG bits than 8 and 16, PNG frames or pictures of a scene without colour,
 // previews of PNG frames, an exposure out of range, or an output that is one of the scene's inputs or another output;
 // Error(cannot_create) when the output cannot be created. Thrown after the frames: the Error of the contact sheet. What
-// on_frame throws stops the job, without a contact sheet, and is thrown when the frames under way are written.
-// Temporary files that killed jobs of the same pattern left are removed. The renderer forgets (Renderer::forget) before
-// and after.
+// on_frame or on_checked throws stops the job, without a contact sheet, and is thrown when the frames under way are
+// written. Temporary files that killed jobs of the same pattern left are removed. The renderer forgets
+// (Renderer::forget) before and after.
 JobResult run(const RenderJob& job, const Scene& scene, Renderer& renderer);
 
 // By it a resumed job knows its own frames; their files hold it. 32 hex digits over everything that decides a frame's

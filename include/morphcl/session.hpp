@@ -60,6 +60,10 @@ class Session {
   // error.
   void store_programs();
 
+  // So far: those that were not found in the cache. Each is compiled when it runs for the first time, which takes PoCL
+  // a second or so. For any thread; never waits for the compiler.
+  std::size_t kernels_compiled() const;
+
   // "", or why store_programs() could not store what was compiled, so that the next process compiles it anew: one line.
   // "" also where no cache is wanted.
   std::string cache_trouble() const;

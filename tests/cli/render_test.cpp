@@ -11,6 +11,7 @@ namespace {
 using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 
 class Render : public ToolTest {
@@ -116,6 +117,17 @@ TEST_F(Render, ResumeKeepsWholeFramesAndMakesTheOthersAgain) {
   }
   EXPECT_EQ(status,
             (std::map<int, std::string>{{0, "kept"}, {1, "rendered"}, {2, "rendered"}, {3, "kept"}, {4, "kept"}}));
+  EXPECT_EQ(objects(resumed, "summary").at(0).at("replaced"), 1) << "one was missing, one was damaged";
+}
+
+TEST_F(Render, TheClosingLineOfAResumedJobSaysWhatWasKeptAndWhatWasReplaced) {
+  render({});
+  EXPECT_THAT(render({"--resume"}).out, MatchesRegex("0 frames rendered, 5 kept on [^(]* s: .*\n"));
+  std::filesystem::resize_file(folder_ / "shot.0002.exr", 100);
+  std::filesystem::remove(folder_ / "shot.0003.exr");
+  EXPECT_THAT(render({"--resume"}).out,
+              HasSubstr("2 frames rendered (1 in place of files that were damaged or not of this shot and these "
+                        "settings), 3 kept on "));
 }
 
 TEST_F(Render, ResumeTrustsNoFrameOfAnotherShotOrSize) {
@@ -166,6 +178,36 @@ TEST_F(Render, TheBarIsDrawnOnATerminalOnly) {
       render({"--quiet"}, {.environment = {{"TERM", "xterm"}}, .standard_error = test_support::StandardError::terminal})
           .err,
       "");
+}
+
+// Each line that the bar draws begins at a carriage return and ends with an escape that clears the rest.
+std::vector<std::string> drawn_lines(const std::string& err) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = err.find('\r'); begin != std::string::npos;) {
+    const std::size_t end = err.find("\033[K", begin);
+    lines.push_back(err.substr(begin + 1, end == std::string::npos ? end : end - begin - 1));
+    begin = err.find('\r', begin + 1);
+  }
+  return lines;
+}
+
+TEST_F(Render, TheBarFitsTheTerminal) {
+  for (const unsigned short columns : std::initializer_list<unsigned short>{20, 33, 60, 200}) {
+    const ToolResult result = render({}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}},
+                                          .standard_error = test_support::StandardError::terminal,
+                                          .terminal_columns = columns});
+    const std::vector<std::string> lines = drawn_lines(result.err);
+    EXPECT_GE(lines.size(), 2u);
+    for (const std::string& line : lines) EXPECT_LT(line.size(), columns) << line;
+    EXPECT_THAT(result.err, HasSubstr("5/5"));
+  }
+}
+
+TEST_F(Render, TheBarOfAResumedJobSaysThatItChecks) {
+  render({});
+  const ToolResult result = render({"--resume"}, {.environment = {{"TERM", "xterm"}, {"NO_COLOR", "1"}},
+                                                  .standard_error = test_support::StandardError::terminal});
+  EXPECT_THAT(drawn_lines(result.err).at(0), HasSubstr("0/5 frames, checking what is finished"));
 }
 
 TEST_F(Render, InfoRecomputesTheHashThatTheFileHolds) {

@@ -30,6 +30,13 @@ void expect_whole(const FrameResult& result) {
   EXPECT_EQ(read.stored_hash, result.hash) << "frame " << result.frame;
 }
 
+std::vector<std::int64_t> replaced_frames(const JobResult& result) {
+  std::vector<std::int64_t> frames;
+  for (const FrameResult& frame : result.frames)
+    if (frame.replaced) frames.push_back(frame.frame);
+  return frames;
+}
+
 ErrorKind kind_of_failure(const RenderJob& job, const Scene& scene = empty_scene()) {
   FakeRenderer renderer;
   try {
@@ -277,6 +284,8 @@ TEST(RenderJob, ResumeRendersExactlyWhatIsMissingOrDamaged) {
   EXPECT_EQ(second.rendered, (std::vector<std::int64_t>{2, 4, 5, 7}));
   EXPECT_EQ(frames_of(after, Status::rendered), second.rendered);
   EXPECT_EQ(frames_of(after, Status::kept), (std::vector<std::int64_t>{0, 1, 3, 6, 8, 9}));
+  EXPECT_EQ(replaced_frames(before), std::vector<std::int64_t>{});
+  EXPECT_EQ(replaced_frames(after), (std::vector<std::int64_t>{4, 5, 7})) << "2 was missing";
   ASSERT_EQ(after.frames.size(), before.frames.size());
   for (std::size_t i = 0; i < after.frames.size(); ++i) {
     EXPECT_EQ(after.frames[i].hash, before.frames[i].hash);
@@ -292,8 +301,9 @@ TEST(RenderJob, ResumeKeepsNothingOfAnotherJob) {
   job.resume = true;
   Scene other = empty_scene();
   other.timeline.camera.eye.x += 1;
-  run(job, other, second);
+  const JobResult result = run(job, other, second);
   EXPECT_EQ(second.rendered, range(0, 3));
+  EXPECT_EQ(replaced_frames(result), range(0, 3));
 }
 
 TEST(RenderJob, WithoutResumeEverythingIsRenderedAgain) {

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -63,9 +64,14 @@ std::string content(int file) {
   return text;
 }
 
-int open_terminal() {
+int open_terminal(unsigned short columns) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) throw std::runtime_error("no pseudo-terminal");
+  winsize size{};
+  size.ws_col = columns;
+  size.ws_row = 24;
+  if (columns > 0 && ioctl(terminal, TIOCSWINSZ, &size) != 0)
+    throw std::runtime_error("no size of the pseudo-terminal");
   return terminal;
 }
 
@@ -97,7 +103,7 @@ void ChildProcess::start(const std::vector<std::string>& command) {
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, options_.stdout_to.c_str(), O_WRONLY, 0);
   std::string terminal_path;
   if (options_.standard_error == StandardError::terminal) {
-    terminal_ = open_terminal();
+    terminal_ = open_terminal(options_.terminal_columns);
     terminal_path = ptsname(terminal_);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, terminal_path.c_str(), O_WRONLY | O_NOCTTY, 0);
   } else {

@@ -28,7 +28,8 @@ struct ProcessOptions {
   std::filesystem::path folder = {};     // working folder; empty: this process's
   std::filesystem::path stdout_to = {};  // a file that exists; empty: stdout is kept
   StandardError standard_error = StandardError::apart;
-  std::chrono::seconds limit{120};  // of finish() and wait_until_it_handles()
+  unsigned short terminal_columns = 0;  // of the pseudo-terminal; 0: it does not say
+  std::chrono::seconds limit{120};      // of finish() and wait_until_it_handles()
 };
 
 struct ProcessResult {
