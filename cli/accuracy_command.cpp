@@ -82,7 +82,11 @@ int accuracy_command(const AccuracyOptions& options) {
     for (const accuracy::OperationReport& operation : report.operations) print_result(accuracy::json_of(operation));
   } else {
     print_result(accuracy::machine_text(report));
-    for (const accuracy::OperationReport& operation : report.operations) print_result(accuracy::table_of(operation));
+    print_result(accuracy::summary_of(report));
+    if (options.verbose) {
+      print_result("* is what morphcl itself computes; ns is the smallest of 30 runs or more an element\n");
+      for (const accuracy::OperationReport& operation : report.operations) print_result(accuracy::table_of(operation));
+    }
     print_result(digits_text(report));
   }
   if (!report.digits_confirmed())

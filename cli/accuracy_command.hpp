@@ -13,6 +13,7 @@ struct AccuracyOptions {
   std::vector<std::string> operations;  // names; none: all
   bool quick = false;
   bool json = false;
+  bool verbose = false;  // tables of all variants
   std::string seed = "1";
   DeviceOptions device;  // "none": nothing is run on a device
 };

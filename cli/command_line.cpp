@@ -238,6 +238,8 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options, Action& action) {
                   "Operations to measure; default: all. A name that is none lists them")
       ->type_name("NAME...")
       ->group("Measurement");
+  command.add_flag("--verbose", options.verbose, "A table an operation of every variant, not only a line each")
+      ->group("Report");
   command.add_option("--seed", options.seed, "Of the random inputs, 0 to 2^64 - 1; default: 1")
       ->type_name("N")
       ->group("Measurement");

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -21,12 +22,52 @@ namespace {
 // A panel is this large, with its key; families stand beside each other.
 constexpr int panel_width = 560, panel_height = 310, panel_heading = 40;
 
-const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57", "#b8860b", "#6a4c93", "#4d4d4d", "#e07b39",
-                              "#008b8b", "#9e2a2b", "#7a9e1f", "#c2185b", "#5c6bc0", "#795548", "#00838f"};
-constexpr std::size_t color_count = std::size(colors);
-
 // gnuplot's outlined shapes; each is followed by the filled one. The device's times are crosses.
-constexpr int point_shapes[] = {6, 4, 8, 10, 12, 14}, cross_shape = 1;
+constexpr int circle = 6, square = 4, triangle = 8, turned_triangle = 10, diamond = 12, pentagon = 14;
+constexpr int cross_shape = 1;
+
+struct Mark {
+  const char* color;
+  int shape;
+};
+
+// Variants of several operations look the same in all of their plots.
+struct SharedMark {
+  std::string_view variant;
+  Mark mark;
+};
+constexpr SharedMark shared_marks[] = {{"morphcl, rounded once", {"#1b6ca8", circle}},
+                                       {"composed in fp64, fma", {"#1b6ca8", square}},
+                                       {"morphcl in fp64", {"#2e8b57", diamond}},
+                                       {"TR-BDF2, 64", {"#2e8b57", triangle}},
+                                       {"fp32", {"#d1495b", square}},
+                                       {"fp32 naive", {"#d1495b", triangle}},
+                                       {"symplectic Euler, 64", {"#d1495b", diamond}},
+                                       {"fp64, C library", {"#b8860b", triangle}},
+                                       {"fp64", {"#b8860b", circle}}};
+
+// The others by their number among those of their operation: no pair comes twice in 30.
+constexpr const char* own_colors[] = {"#6a4c93", "#e07b39", "#008b8b", "#4d4d4d", "#7a9e1f",
+                                      "#c2185b", "#5c6bc0", "#795548", "#00838f", "#9e2a2b"};
+constexpr int own_shapes[] = {circle, square, triangle, turned_triangle, diamond, pentagon};
+
+const SharedMark* shared_mark(std::string_view variant) {
+  const auto* const found = std::find_if(std::begin(shared_marks), std::end(shared_marks),
+                                         [variant](const SharedMark& shared) { return shared.variant == variant; });
+  return found == std::end(shared_marks) ? nullptr : found;
+}
+
+// The same in every plot of the operation, whichever variants a plot shows.
+Mark mark_of(const OperationReport& operation, const std::string& variant) {
+  if (const SharedMark* const shared = shared_mark(variant)) return shared->mark;
+  std::vector<std::string_view> own;
+  for (const Result& result : operation.results) {
+    if (result.variant == variant) break;
+    if (!shared_mark(result.variant) && std::find(own.begin(), own.end(), result.variant) == own.end())
+      own.push_back(result.variant);
+  }
+  return {own_colors[own.size() % std::size(own_colors)], own_shapes[own.size() % std::size(own_shapes)]};
+}
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string result = "'";
@@ -73,7 +114,7 @@ void add_marks(std::string& data, std::string& plots, const Panel& panel, std::s
   const Measure measure = panel.operation->about.plotted;
   for (std::size_t v = 0; v < panel.results.size(); ++v) {
     const Result& result = *panel.results[v];
-    const char* color = colors[v % color_count];
+    const Mark mark = mark_of(*panel.operation, result.variant);
     const double error = panel.height_of(result.figures[measure]);
     data += fmt::format("$m{}_{} << EOD\n", index, v);
     if (result.nanoseconds("host") > 0) data += fmt::format("{:.6g} {:.6g}\n", result.nanoseconds("host"), error);
@@ -85,10 +126,10 @@ void add_marks(std::string& data, std::string& plots, const Panel& panel, std::s
     data += "EOD\n";
     plots += fmt::format(", {} with points pt {} ps {} lc rgb '{}' title {}",
                          device ? fmt::format("$d{}_{}", index, v) : fmt::format("$m{}_{}", index, v),
-                         device ? cross_shape : point_shapes[v % std::size(point_shapes)] + (result.ships ? 1 : 0),
-                         result.ships ? 1.1 : 0.9, color, gnuplot_quoted(result.variant + (device ? " (device)" : "")));
+                         device ? cross_shape : mark.shape + (result.ships ? 1 : 0), result.ships ? 1.1 : 0.9,
+                         mark.color, gnuplot_quoted(result.variant + (device ? " (device)" : "")));
     if (!device && result.nanoseconds("device") > 0)
-      plots += fmt::format(", $d{}_{} with points pt {} ps 0.9 lc rgb '{}' notitle", index, v, cross_shape, color);
+      plots += fmt::format(", $d{}_{} with points pt {} ps 0.9 lc rgb '{}' notitle", index, v, cross_shape, mark.color);
   }
 }
 

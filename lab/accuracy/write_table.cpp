@@ -5,34 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "lab/accuracy/text_rows.hpp"
 #include "lab/accuracy/verdict.hpp"
 
 namespace morphcl::accuracy {
 
 namespace {
-
-using TextRow = std::vector<std::string>;
-
-// Columns that no row fills are left out; the first is flush left, the others flush right.
-std::string aligned(std::vector<TextRow> rows) {
-  std::vector<std::size_t> widths(rows[0].size());
-  std::vector<bool> filled(rows[0].size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      widths[c] = std::max(widths[c], rows[r][c].size());
-      filled[c] = filled[c] || (r > 0 && !rows[r][c].empty());
-    }
-  std::string text;
-  for (const TextRow& row : rows) {
-    std::string line = "  ";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      if (!filled[c]) continue;
-      line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
 
 constexpr Measure table_columns[] = {Measure::max_ulp,      Measure::rms_ulp,    Measure::max_scaled,
                                      Measure::max_absolute, Measure::max_true,   Measure::max_pixels,
@@ -106,10 +84,7 @@ std::string machine_text(const Report& report) {
   else
     text += fmt::format("device: {} ({}), self-test {}, {} threads, {}\n", m.device, m.driver, m.verdict, m.threads,
                         m.device_flags);
-  return text + fmt::format(
-                    "seed {}; * is what morphcl itself computes; ns is the smallest of 30 runs or more an "
-                    "element\n",
-                    report.settings.seed);
+  return text + fmt::format("seed {}\n", report.settings.seed);
 }
 
 std::string table_of(const OperationReport& report) {

@@ -17,16 +17,25 @@ class Accuracy : public ToolTest {
   }
 };
 
-TEST_F(Accuracy, PrintsATableAndWritesTheFiles) {
+TEST_F(Accuracy, PrintsALineAnOperationAndWritesTheFiles) {
   const ToolResult result = run({"--quick", "--operation", "lerp", "clip", "--device", "none", "--out", path("out")});
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("lerp: "));
-  EXPECT_THAT(result.out, HasSubstr("is enough"));
-  EXPECT_THAT(result.out, HasSubstr("no printed digit changes"));
   EXPECT_THAT(result.out, HasSubstr("device: none"));
+  EXPECT_THAT(result.out, HasSubstr("no printed digit changes"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("\n  lerp +scaled +1\\.6 +2 +[0-9.]+ .* a \\+ t \\(b - a\\)\n"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("\n  clip +.* in the order given\n"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("is enough")));
   const nlohmann::json json = nlohmann::json::parse(test_support::text_of(path("out/accuracy.json")));
   EXPECT_EQ(json["operations"].size(), 2u);
   EXPECT_THAT(test_support::text_of(path("out/accuracy.csv")), HasSubstr("lerp,benign,"));
+}
+
+TEST_F(Accuracy, VerboseHasEveryVariant) {
+  const ToolResult result = run({"--quick", "--operation", "lerp", "--device", "none", "--verbose"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("lerp: "));
+  EXPECT_THAT(result.out, HasSubstr("is enough"));
+  EXPECT_THAT(result.out, HasSubstr("(1 - t) a + t b"));
 }
 
 TEST_F(Accuracy, WithoutGnuplotTheOtherFilesComeAndOneLineSaysWhatIsMissing) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -205,6 +206,52 @@ TEST(AccuracyReport, ThePlotNamesEveryVariantAndTheTarget) {
   for (const Result& result : report.operations[0].results) EXPECT_THAT(program, HasSubstr("'" + result.variant + "'"));
   EXPECT_THAT(program, HasSubstr("set output 'it''s here.svg'"));
   EXPECT_THAT(program, HasSubstr("target 5"));
+}
+
+// Shape (outlined) and colour of each mark that has a name in a plot, plot by plot.
+std::vector<std::multimap<std::string, std::string>> marks_by_plot(const std::string& program) {
+  std::vector<std::multimap<std::string, std::string>> plots;
+  const std::regex mark("pt (\\d+) ps [0-9.]+ lc rgb '(#[0-9a-f]+)' title '([^']*(?:''[^']*)*)'");
+  std::istringstream stream(program);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("plot ")) continue;
+    plots.emplace_back();
+    for (std::sregex_iterator i(line.begin(), line.end(), mark), end; i != end; ++i)
+      plots.back().emplace((*i)[3], std::to_string(std::stoi((*i)[1]) / 2 * 2) + (*i)[2].str());
+  }
+  return plots;
+}
+
+TEST(AccuracyReport, AVariantHasOneMarkInAllPlotsAndSharesItWithNoneBesideIt) {
+  const Report report = report_of({"matrix-look-at", "matrix-shear", "matrix-scale-about", "point-transform", "divide",
+                                   "clip", "lerp", "normal", "face-normal", "interpolation", "spring"});
+  const auto plots = marks_by_plot(plot_program(report, "a.svg"));
+  EXPECT_EQ(plots.size(), 11u * 3u);
+  std::map<std::string, std::set<std::string>> marks_of_variant;
+  for (const auto& plot : plots) {
+    std::set<std::string> in_plot;
+    for (const auto& [variant, mark] : plot) {
+      EXPECT_TRUE(in_plot.insert(mark).second) << variant << " looks like another one";
+      marks_of_variant[variant].insert(mark);
+    }
+  }
+  EXPECT_GT(marks_of_variant.size(), 40u);
+  for (const auto& [variant, marks] : marks_of_variant) EXPECT_EQ(marks.size(), 1u) << variant;
+}
+
+TEST(AccuracyReport, TheSummaryHasALineAnOperationAndMarksWhatIsOverItsBound) {
+  const Report report = report_of({"lerp", "point-transform"});
+  const std::string summary = summary_of(report);
+  std::istringstream stream(summary);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    EXPECT_LE(line.size(), 110u) << line;
+    lines.push_back(line);
+  }
+  ASSERT_EQ(lines.size(), 5u) << summary;
+  EXPECT_THAT(lines[2], ::testing::MatchesRegex("  lerp +scaled +1\\.6 +2 .*  a \\+ t \\(b - a\\)"));
+  EXPECT_THAT(lines[1], ::testing::MatchesRegex("  point-transform +pixels +[0-9.]+  ! +0\\.01 .*  fp32 naive"));
+  EXPECT_THAT(lines[3], HasSubstr("! point-transform: over the bound for these inputs: adversarial"));
 }
 
 }  // namespace
