@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cli/compare_report.hpp"
+#include "cli/compare_summary.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "host/image/atomic_file.hpp"
@@ -77,14 +78,17 @@ int compare_command(const CompareOptions& options) {
                  "a smaller size takes less");
   const OpenedRenderer opened = open_renderer(options.device);
   const Planner planner(scene);
+  const std::vector<Truth> compared = truths(options.truth);
+  std::vector<CompareSummary> summaries(compared.begin(), compared.end());
   for (const std::int64_t frame : frames) {
     const Plan plan = planner.plan(frame);
     accuracy::check_comparable(*plan);
     FrameBuffer pixels = plan.make_frame();
     opened.renderer->render(plan, pixels);
     const std::vector<reference::ShownPixel> shown = reference::shown_pixels(*plan);
-    for (const Truth truth : truths(options.truth)) {
-      const FrameDifference difference = accuracy::compare_with_fp64(scene, *plan, pixels, shown, truth);
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+      const FrameDifference difference = accuracy::compare_with_fp64(scene, *plan, pixels, shown, compared[i]);
+      summaries[i].add(difference);
       if (options.json)
         print_difference_json(difference);
       else
@@ -92,6 +96,8 @@ int compare_command(const CompareOptions& options) {
       files.add(difference);
     }
   }
+  for (const CompareSummary& summary : summaries)
+    print_result(options.json ? line_of(summary.json()) : summary.words());
   opened.store_programs();
   opened.warn_of_cache();
   files.finish();

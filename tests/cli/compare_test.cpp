@@ -36,7 +36,7 @@ TEST_F(Compare, PrintsBothTruthsOfTheFirstFrame) {
 TEST_F(Compare, JsonHasEveryFrameAndObject) {
   const ToolResult result = compare({"--frames", "1-3x2", "--truth", "grid", "--json"});
   EXPECT_EQ(result.code, 0) << result.err;
-  ASSERT_EQ(result.out_lines().size(), 4u) << result.out;
+  ASSERT_EQ(result.out_lines().size(), 5u) << result.out;
   for (std::size_t i = 0; i < 4; ++i) {
     const json line = json::parse(result.out_lines()[i]);
     EXPECT_EQ(line.at("type"), i % 2 == 0 ? "frame_error" : "object_error");
@@ -48,6 +48,42 @@ TEST_F(Compare, JsonHasEveryFrameAndObject) {
     EXPECT_LT(line.at("color_arithmetic_max"), 1e-5);
     EXPECT_LT(line.at("depth_arithmetic_max"), 1e-4);
   }
+}
+
+TEST_F(Compare, EndsWithALineATruthAboutAllFrames) {
+  const ToolResult result = compare({"--frames", "1-3x2"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const std::vector<std::string> lines = result.out_lines();
+  const std::string errors =
+      "colour differs by at most [0-9.e-]+ \\(frame [13]\\), typically by [0-9.e-]+; "
+      "Z by at most [0-9.e-]+ of the distance \\(frame [13]\\), typically by [0-9.e-]+; "
+      "[0-9]+ of [0-9]+ pixels show another surface.*";
+  EXPECT_THAT(lines.at(lines.size() - 2),
+              testing::MatchesRegex("frames 1, 3, against fp64 on the same grid: " + errors));
+  EXPECT_THAT(lines.back(),
+              testing::MatchesRegex("frames 1, 3, against fp64 with vertices where they truly are: " + errors));
+  EXPECT_THAT(compare({"--frame", "2", "--truth", "grid"}).out_lines().back(),
+              testing::StartsWith("frame 2, against fp64 on the same grid: colour differs by at most "));
+}
+
+// The last line holds what the lines before it hold: the largest of the largest, and the sum of the pixels.
+TEST_F(Compare, JsonEndsWithAnObjectATruth) {
+  const ToolResult result = compare({"--frames", "1-3x2", "--truth", "grid", "--json"});
+  const json first = json::parse(result.out_lines().at(0)), second = json::parse(result.out_lines().at(2));
+  const json all = json::parse(result.out_lines().at(4));
+  EXPECT_EQ(all.at("type"), "range_error");
+  EXPECT_EQ(all.at("frames"), 2);
+  EXPECT_EQ(all.at("first"), 1);
+  EXPECT_EQ(all.at("last"), 3);
+  for (const char* what : {"color_max", "depth_max"}) {
+    const double a = first.at(what), b = second.at(what);
+    EXPECT_EQ(all.at(what), std::max(a, b));
+    EXPECT_EQ(all.at(std::string(what) + "_frame"), a >= b ? 1 : 3);
+  }
+  EXPECT_EQ(all.at("pixels"), first.at("pixels").get<int>() + second.at("pixels").get<int>());
+  const double rms = all.at("color_rms"), one = first.at("color_rms"), other = second.at("color_rms");
+  EXPECT_LE(rms, std::max(one, other));
+  EXPECT_GE(rms, std::min(one, other));
 }
 
 TEST_F(Compare, WritesPicturesAndATable) {
