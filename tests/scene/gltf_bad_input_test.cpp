@@ -46,6 +46,12 @@ TEST_F(GltfBadInput, MissingBufferFile) {
   expect_refusal([&] { import_gltf(path, TimeBase{}); }, ErrorKind::cannot_read, buffer, "No such file");
 }
 
+TEST_F(GltfBadInput, Utf16IsNamed) {
+  std::string text = "\xfe\xff";
+  for (const char c : std::string("{\"asset\": {\"version\": \"2.0\"}}")) text += {'\0', c};
+  expect_bad_bytes("model.gltf", text, "", "is text in UTF-16; save it as UTF-8");
+}
+
 TEST_F(GltfBadInput, TruncatedJson) {
   expect_bad_bytes("model.gltf", "{\"asset\": {\"version\"", ":1:21", "truncated");
 }

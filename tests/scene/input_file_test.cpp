@@ -21,6 +21,16 @@ TEST(InputFile, ReadsAllBytesUpToTheLimit) {
   EXPECT_EQ(read_input_file(folder.write("empty", ""), 0), "");
 }
 
+TEST(InputFile, TextInOtherEncodingsIsNamed) {
+  using namespace std::string_literals;
+  for (const std::string& text : {"\xff\xfe#\0 \0"s, "\xfe\xff\0#\0 "s, "#\0 \0\n\0"s, "\0#\0 "s, "\xff\xfe"s})
+    expect_refusal([&] { require_utf8(text, "a.obj"); }, ErrorKind::bad_input, "a.obj", "is text in UTF-16");
+  for (const std::string& text : {"\xff\xfe\0\0#\0\0\0"s, "\0\0\xfe\xff\0\0\0#"s})
+    expect_refusal([&] { require_utf8(text, "a.obj"); }, ErrorKind::bad_input, "a.obj", "is text in UTF-32");
+  for (const std::string& text : {""s, "v"s, "\xef\xbb\xbfv 0 0 0"s, "v 0 0 0\n"s, "\xc3\xa4"s, "a\0"s, "abc\0"s})
+    EXPECT_NO_THROW(require_utf8(text, "a.obj"));
+}
+
 TEST(InputFile, DevicesAndFoldersAreRefused) {
   for (const std::string path : {"/dev/zero", "/", "/dev/null"})
     expect_refusal([&] { read_input_file(path, 100); }, ErrorKind::cannot_read, path, "not a regular file");

@@ -42,6 +42,13 @@ TEST_F(ObjImport, IsStoppedWhileItReads) {
   expect_refusal([&] { import_obj(path, limits); }, ErrorKind::interrupted, path, "interrupted");
 }
 
+TEST_F(ObjImport, Utf16IsNamed) {
+  std::string text = "\xff\xfe";
+  for (const char c : square + "f 1 2 3 4\n") text += {c, '\0'};
+  expect_bad(text, "", "is text in UTF-16; save it as UTF-8");
+  expect_bad(text.substr(2), "", "is text in UTF-16; save it as UTF-8");
+}
+
 TEST_F(ObjImport, TheFilesThatWereReadAreNamed) {
   const std::string library = folder.write("colors.mtl", "newmtl red\nKd 1 0 0\n");
   const std::string path = folder.write("model.obj", "mtllib colors.mtl\nusemtl red\n" + square + "f 1 2 3 4\n");

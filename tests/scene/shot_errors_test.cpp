@@ -93,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadShot{"TooMany", "[frames]\nrange = \"0-1000000\"", "2:9: more than 1000000 frames are asked for"},
         BadShot{"RangeIsANumber", "[frames]\nrange = 5", "2:9: range is an integer; a string is needed"},
         BadShot{"FpsZero", "[frames]\nfps = 0", "2:7: fps holds 0; 1 to 1000000 is possible"},
-        BadShot{"FpsFraction", "[frames]\nfps = 23.976", "2:7: fps is a number; an integer is needed"},
+        BadShot{"FpsFraction", "[frames]\nfps = 23.976",
+                "2:7: fps is 23.976; a rate is an integer or a ratio of two, exactly: fps = [24000, 1001]"},
         BadShot{"FpsDenominatorZero", "[frames]\nfps = [24000, 0]", "2:15: fps holds 0; 1 to 1000000 is possible"},
         BadShot{"FpsOfThree", "[frames]\nfps = [1, 2, 3]", "2:7: fps must be an integer or [numerator, denominator]"}),
     bad_shot_name);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "host/scene/model/input_file.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -65,7 +66,10 @@ int hex_digit(char c) {
 
 GltfContainer split_gltf(std::string_view bytes, const std::string& file) {
   const auto fail = [&](std::string_view what) { throw Error(ErrorKind::bad_input, file, what); };
-  if (bytes.substr(0, 4) != "glTF") return {bytes, std::nullopt};
+  if (bytes.substr(0, 4) != "glTF") {
+    require_utf8(bytes, file);
+    return {bytes, std::nullopt};
+  }
   if (bytes.size() < header_size) fail("the header of the binary glTF file is cut short");
   if (const std::uint32_t version = little_endian_32(bytes, 4); version != 2)
     fail(fmt::format("binary glTF version {}; version 2 is read", version));

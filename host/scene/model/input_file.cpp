@@ -55,6 +55,20 @@ std::string read_input_file(const std::string& path, std::uint64_t max_bytes) {
   return bytes;
 }
 
+void require_utf8(std::string_view text, const std::string& file) {
+  using namespace std::string_view_literals;
+  const auto zero_at = [text](std::size_t i) { return i < text.size() && text[i] == '\0'; };
+  const char* encoding = nullptr;
+  if (text.starts_with("\xff\xfe\0\0"sv) || text.starts_with("\0\0\xfe\xff"sv))
+    encoding = "UTF-32";
+  else if (text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv))
+    encoding = "UTF-16";
+  else if (text.size() >= 4 && zero_at(0) == zero_at(2) && zero_at(1) == zero_at(3) && zero_at(0) != zero_at(1))
+    encoding = "UTF-16";  // ASCII without a mark: every second byte is zero
+  if (encoding)
+    throw Error(ErrorKind::bad_input, file, fmt::format("is text in {}; save it as UTF-8, which is read", encoding));
+}
+
 std::string confined_path(const std::string& owner, std::string_view reference, bool allow_outside,
                           std::string_view place) {
   if (reference.empty() || reference.find('\0') != std::string_view::npos)

@@ -17,6 +17,7 @@ namespace {
 
 ObjFile read_obj(const std::string& path, const ImportLimits& limits, ImportBudget& budget, ContentHash& hash) {
   const std::string text = read_input_file(path, budget.left_to_read());
+  require_utf8(text, path);
   budget.charge_file(path, text.size(), path);
   hash.add(text);
   return parse_obj(text, path, limits, budget);

@@ -66,6 +66,14 @@ std::string request(const ShotTable& object) {
   return text;
 }
 
+// A path of Windows, as it is, or with a part of it read as an escape.
+std::string_view backslash_hint(std::string_view path) {
+  if (path.find('\\') != std::string_view::npos) return "; folders are separated by /";
+  if (path.find_first_of("\t\b\f\n\r") != std::string_view::npos)
+    return "; in double quotes a backslash begins an escape: write / in paths";
+  return "";
+}
+
 }  // namespace
 
 MeshLibrary::MeshLibrary(std::string shot, const TimeBase& time, const ImportLimits& limits, long long max_vertices)
@@ -163,7 +171,8 @@ std::string MeshLibrary::existing_file(const ShotValue& reference) const {
   const std::string path = confined_path(shot_, reference.text(), limits_.allow_outside, reference.place());
   std::error_code problem;
   if (!std::filesystem::exists(path, problem))
-    throw Error(ErrorKind::cannot_read, reference.place(), fmt::format("there is no file \"{}\"", reference.text()));
+    throw Error(ErrorKind::cannot_read, reference.place(),
+                fmt::format("there is no file \"{}\"{}", reference.text(), backslash_hint(reference.text())));
   return path;
 }
 

@@ -153,12 +153,21 @@ void refuse_view(const std::optional<std::string>& view, const ShotValue& camera
 
 ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>& view, TrackReader& tracks,
                        MeshLibrary& library, Scene& scene) {
-  const ShotTable table = value.table({"model",
-                                       "name",
-                                       "animation",
+  const ShotTable table = value.table({"eye",
+                                       "target",
+                                       "up",
                                        "projection",
                                        "fovy_degrees",
                                        "fovx_degrees",
+                                       "near",
+                                       "far",
+                                       "view",
+                                       "direction",
+                                       "distance",
+                                       "model",
+                                       "track",
+                                       "name",
+                                       "animation",
                                        "left",
                                        "right",
                                        "bottom",
@@ -172,16 +181,7 @@ ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>&
                                        "azimuth_degrees",
                                        "elevation_degrees",
                                        "corner",
-                                       "near",
-                                       "far",
-                                       "eye",
-                                       "target",
-                                       "up",
-                                       "view",
-                                       "direction",
-                                       "distance",
-                                       "mark_vanishing_points",
-                                       "track"});
+                                       "mark_vanishing_points"});
   if (table.has("model")) {
     refuse_view(view, value, "is a model's");
     return {model_camera(table, library, scene), false};

@@ -5,6 +5,7 @@
 #include "host/scene/model/content_hash.hpp"
 #include "host/scene/model/fitted_camera.hpp"
 #include "host/scene/model/input_file.hpp"
+#include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/mesh_library.hpp"
 #include "host/scene/shot/shot_camera.hpp"
 #include "host/scene/shot/shot_light.hpp"
@@ -44,7 +45,10 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
   Scene scene;
   read_image_and_time(shot, options, scene);
   TrackReader tracks(scene.timeline.time);
-  if (const auto ambient = shot.find("ambient")) scene.timeline.ambient = ambient->color();
+  if (const auto ambient = shot.find("ambient")) {
+    scene.timeline.ambient = ambient->color();
+    refuse_codes(*ambient);
+  }
   const auto camera = shot.find("camera");
   ShotCamera shot_camera;
   ImportLimits limits;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 
 namespace morphcl {
@@ -42,7 +43,10 @@ Light read_light(const ShotValue& value, TrackReader& tracks) {
     intensity = given->number();
     if (intensity < 0) given->fail(fmt::format("intensity is {}; 0 or more is needed", intensity));
   }
-  if (const auto color = table.find("color")) light.color = color->color();
+  if (const auto color = table.find("color")) {
+    light.color = color->color();
+    if (direction) refuse_codes(*color);  // one with a position may be that bright
+  }
   light.color *= intensity;
   if (const auto falloff = table.find("falloff")) {
     light.falloff = falloff->boolean();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "host/scene/shot/shot_elastic.hpp"
 #include "host/scene/shot/shot_transform.hpp"
@@ -30,8 +31,10 @@ Shading read_shading(const ShotValue& shading) {
 }
 
 glm::dvec4 read_base_color(const ShotValue& color) {
+  refuse_color_text(color);
   if (!color.is_array() || (color.size() != 3 && color.size() != 4))
     color.fail("color must be three or four numbers: [red, green, blue] or [red, green, blue, alpha]");
+  refuse_codes(color);
   glm::dvec4 value(0, 0, 0, 1);
   for (std::size_t c = 0; c < color.size(); ++c) {
     const double component = color[c].number();

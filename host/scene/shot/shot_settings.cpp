@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
 
+#include "host/scene/model/rate_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 
 namespace morphcl {
@@ -29,6 +31,19 @@ int pixels(const ShotValue& value) {
   if (size < 1 || size > max_image_size)
     value.fail(fmt::format("size is {} pixels; 1 to {} are possible", size, max_image_size));
   return static_cast<int>(size);
+}
+
+// "1920x1080", as on the command line.
+void refuse_size_text(const ShotValue& size) {
+  if (!size.is_text()) return;
+  const std::string& text = size.text();
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || (*first.ptr != 'x' && *first.ptr != 'X')) return;
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec == std::errc() && second.ptr == end)
+    size.fail(fmt::format("size is \"{}\"; in a shot it is two integers: size = [{}, {}]", text, width, height));
 }
 
 void read_channels(const ShotValue& channels, ImageSettings& image) {
@@ -95,7 +110,23 @@ std::int64_t fps_part(const ShotValue& value) {
   return part;
 }
 
+std::string rate_text(const TimeBase& rate) {
+  return rate.fps_denominator == 1 ? fmt::format("{}", rate.fps_numerator)
+                                   : fmt::format("[{}, {}]", rate.fps_numerator, rate.fps_denominator);
+}
+
+// A rate that is written as a decimal, or as text.
+void refuse_inexact_rate(const ShotValue& fps) {
+  if (fps.integer_if_any() || !(fps.is_number() || fps.is_text())) return;
+  const auto rate = fps.is_text() ? rate_in_text(fps.text()) : exact_rate(fps.number());
+  if (rate)
+    fps.fail(fmt::format("fps is {}; a rate is an integer or a ratio of two, exactly: fps = {}",
+                         fps.is_text() ? fmt::format("\"{}\"", fps.text()) : fmt::format("{}", fps.number()),
+                         rate_text(*rate)));
+}
+
 TimeBase read_fps(const ShotValue& fps) {
+  refuse_inexact_rate(fps);
   if (!fps.is_array()) return {.fps_numerator = fps_part(fps), .fps_denominator = 1};
   if (fps.size() != 2) fps.fail("fps must be an integer or [numerator, denominator]");
   return {.fps_numerator = fps_part(fps[0]), .fps_denominator = fps_part(fps[1])};
@@ -108,6 +139,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   if (!image) return settings;
   const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer", "background"});
   if (const auto size = table.find("size")) {
+    refuse_size_text(*size);
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
     settings.width = pixels((*size)[0]);
     settings.height = pixels((*size)[1]);

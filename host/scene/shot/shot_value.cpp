@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/scene/shot/color_hint.hpp"
+#include "host/scene/shot/key_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 
 namespace morphcl {
@@ -42,6 +44,11 @@ bool ShotValue::boolean() const {
 std::int64_t ShotValue::integer() const {
   if (const std::int64_t* integer = std::get_if<std::int64_t>(&value_->data)) return *integer;
   wrong_type("an integer");
+}
+
+std::optional<std::int64_t> ShotValue::integer_if_any() const {
+  const std::int64_t* const integer = std::get_if<std::int64_t>(&value_->data);
+  return integer ? std::optional(*integer) : std::nullopt;
 }
 
 double ShotValue::number_or_infinity() const {
@@ -93,6 +100,7 @@ glm::dvec3 ShotValue::vector() const {
 }
 
 glm::dvec3 ShotValue::color() const {
+  refuse_color_text(*this);
   if (!is_array() || size() != 3) fail(fmt::format("{} must be three numbers: [red, green, blue]", name_));
   const glm::dvec3 color = vector();
   for (int c = 0; c < 3; ++c)
@@ -118,7 +126,7 @@ ShotTable::ShotTable(const ShotValue& value, std::initializer_list<std::string_v
     if (std::find(known_keys.begin(), known_keys.end(), entry.key) == known_keys.end()) {
       const std::vector<std::string_view> known(known_keys);
       throw Error(ErrorKind::bad_input, place_of(*value.file_, entry.line, entry.column),
-                  fmt::format("unknown key \"{}\" in {}{}", entry.key, value.name_, suggestion(entry.key, known)));
+                  fmt::format("unknown key \"{}\" in {}{}", entry.key, value.name_, key_hint(entry.key, known)));
     }
 }
 

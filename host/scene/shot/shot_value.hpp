@@ -28,16 +28,20 @@ class ShotValue {
 
   bool boolean() const;
   std::int64_t integer() const;
-  double number() const;              // finite; an integer is a number
-  double number_or_infinity() const;  // finite or +inf
-  double positive() const;            // finite and > 0
-  double field_of_view() const;       // degrees: more than 0 and less than 180
+  std::optional<std::int64_t> integer_if_any() const;  // nothing where it is something else
+  double number() const;                               // finite; an integer is a number
+  double number_or_infinity() const;                   // finite or +inf
+  double positive() const;                             // finite and > 0
+  double field_of_view() const;                        // degrees: more than 0 and less than 180
   const std::string& text() const;
   bool choose(const char* no, const char* yes) const;  // the text is one of the two: whether it is `yes`
   glm::dvec3 vector() const;                           // [x, y, z]
   glm::dvec3 color() const;                            // [r, g, b], each >= 0
   bool is_array() const { return std::holds_alternative<TomlValue::Array>(value_->data); }
   bool is_table() const { return std::holds_alternative<TomlValue::Table>(value_->data); }
+  bool is_number() const {
+    return std::holds_alternative<std::int64_t>(value_->data) || std::holds_alternative<double>(value_->data);
+  }
   bool is_text() const { return std::holds_alternative<std::string>(value_->data); }
   bool is_boolean() const { return std::holds_alternative<bool>(value_->data); }
 

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
+#include "host/scene/model/input_file.hpp"
 #include "morphcl/error.hpp"
 
 // The library (3.3) asserts, and with Clang's NDEBUG assumes, conditions that malformed text breaks, and then checks
@@ -146,19 +150,64 @@ TomlValue convert(const toml::node& node, const std::string& file, int depth) {
   return value;
 }
 
+std::string_view line_of(std::string_view text, int line) {
+  for (int i = 1; i < line; ++i) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+// The first value of a line of a key and its value that begins as text does and has no quotes, if there is one; what it
+// points at is a part of the line.
+std::optional<std::string_view> unquoted_text(std::string_view line) {
+  constexpr std::string_view ends = " \t,]}#\"'", letters_besides = "_/~.\\";
+  constexpr std::array<std::string_view, 4> values{"true", "false", "inf", "nan"};
+  const auto begins_text = [letters_besides](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || letters_besides.find(c) != std::string_view::npos;
+  };
+  bool after_key = false, in_table = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '#') break;
+    if (c == '"' || c == '\'') {
+      i = line.find(c, i + 1);
+      if (i == std::string_view::npos) break;
+      continue;
+    }
+    if (c == '=') after_key = true;
+    if (c == '{' || c == '}') in_table = c == '{';
+    const bool before_value = after_key && (c == '=' || c == '[' || (c == ',' && !in_table));
+    const std::size_t begin = line.find_first_not_of(" \t", i + 1);
+    if (!before_value || begin == std::string_view::npos || !begins_text(line[begin])) continue;
+    const std::string_view word = line.substr(begin, line.find_first_of(ends, begin) - begin);
+    if (std::find(values.begin(), values.end(), word) == values.end()) return word;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TomlValue parse_toml(std::string_view text, const std::string& file) {
   if (text.size() > max_toml_bytes)
     throw Error(ErrorKind::bad_input, file,
                 fmt::format("{} bytes of TOML; at most {} are read", text.size(), max_toml_bytes));
+  require_utf8(text, file);
   KeyDepthScan(text, file).run();
   try {
     const toml::table root = toml::parse(text);
     return convert(root, file, 0);
   } catch (const toml::parse_error& error) {
     const toml::source_position place = error.source().begin;
-    fail(file, place.line, place.column, std::string(error.description()));
+    const std::string_view line = line_of(text, static_cast<int>(place.line));
+    if (const auto word = unquoted_text(line))
+      fail(file, place.line, static_cast<std::int64_t>(word->data() - line.data()) + 1,
+           fmt::format("the text {} needs quotes: \"{}\"", *word, *word));
+    std::string message(error.description());
+    if (message.find("escape") != std::string::npos)
+      message += "; in double quotes a backslash begins an escape: write / in paths, or \\\\";
+    fail(file, place.line, place.column, message);
   }
 }
 
