@@ -11,10 +11,12 @@
 #include "cli/compare_command.hpp"
 #include "cli/console.hpp"
 #include "cli/devices_command.hpp"
+#include "cli/examples.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/info_command.hpp"
 #include "cli/plan_command.hpp"
 #include "cli/render_command.hpp"
+#include "cli/usage_words.hpp"
 #include "cli/warm_command.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/version.hpp"
@@ -26,17 +28,8 @@ constexpr int max_threads = 1024;
 
 using Action = std::function<int()>;
 
-const char* const examples = R"(Examples:
-  morphcl render demos/pyramid_to_cube.toml -o out/cube.####.exr
-  morphcl render shot.toml --frames 1-100x2 --size 1280x720 --resume
-  morphcl render face.glb --frames 0 --device reference --preview
-  morphcl render shot.toml -o film.####.png --png-bits 16
-  morphcl plan shot.toml --frame 57
-  morphcl compare shot.toml --frames 0-100x10 --out error
-  morphcl info out/cube.0057.exr
-  morphcl accuracy --quick
-
-Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
+const char* const exit_codes =
+    R"(Exit codes: 0 done, 1 some frames failed, 2 usage, 65 the shot or model is wrong, 66 an input cannot be read,
 69 no usable device, 70 a defect of morphcl or of the OpenCL driver, 73 the output cannot be created, 74 a write failed,
 75 interrupted (run again with --resume).
 Signals: TERM, INT, HUP and USR1 stop a command. What is drawn is written, what takes longer than 1.5 s is given up, and
@@ -154,6 +147,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
   command.add_flag("--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
+  command.footer(examples_of("render"));
   command.callback([&] { action = [&] { return render_command(options); }; });
 }
 
@@ -165,6 +159,7 @@ void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
       ->group("Time");
   add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
+  command.footer(examples_of("plan"));
   command.callback([&] { action = [&] { return plan_command(options); }; });
 }
 
@@ -172,7 +167,8 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
   CLI::App& command =
       *app.add_subcommand("compare", "Compare frames with an fp64 render of themselves: what differs, and why");
   command.footer(
-      "Pixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show "
+      examples_of("compare") +
+      "\n\nPixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show "
       "the\n"
       "same, as it is, of storage alone (half and float), and of fp32 before storage.");
   add_scene_options(command, options.scene);
@@ -208,6 +204,7 @@ void add_info(CLI::App& app, InfoOptions& options, Action& action) {
   command.add_option("FILE", options.scene.path, ".toml, .gltf, .glb, .obj, .exr or .png")->required();
   add_model_options(command, options.scene);
   add_json_flag(command, options.json);
+  command.footer(examples_of("info"));
   command.callback([&] { action = [&] { return info_command(options); }; });
 }
 
@@ -215,6 +212,7 @@ void add_devices(CLI::App& app, DevicesOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("devices", "List OpenCL devices, self-test verdicts and limits");
   add_threads_option(command, options.threads);
   add_json_flag(command, options.json);
+  command.footer(examples_of("devices"));
   command.callback([&] { action = [&] { return devices_command(options); }; });
 }
 
@@ -227,6 +225,7 @@ void add_warm(CLI::App& app, DeviceOptions& options, Action& action) {
       ->type_name("NAME|INDEX")
       ->group("Device");
   add_threads_option(command, options.threads);
+  command.footer(examples_of("warm"));
   command.callback([&] { action = [&] { return warm_command(options); }; });
 }
 
@@ -253,6 +252,7 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options, Action& action) {
       ->group("Device");
   add_threads_option(command, options.device.threads);
   add_json_flag(command, options.json);
+  command.footer(examples_of("accuracy"));
   command.callback([&] { action = [&] { return accuracy_command(options); }; });
 }
 
@@ -264,10 +264,7 @@ int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
     check_results();
     return code;
   }
-  const std::vector<std::string> unknown = app.get_subcommands().empty() ? app.remaining() : std::vector<std::string>();
-  print_message(unknown.empty()
-                    ? printable(error.what()) + "; see morphcl --help"
-                    : fmt::format("'{}' is no command of morphcl; see morphcl --help", printable(unknown.front())));
+  print_message(usage_words(app, error));
   return static_cast<int>(ErrorKind::usage);
 }
 
@@ -283,7 +280,7 @@ int parse_and_run(int argc, char** argv) {
   CLI::App app("Renders keyframed morph and transform animations to OpenEXR on any OpenCL device.", "morphcl");
   app.set_version_flag("--version", std::string("morphcl ") + version());
   app.require_subcommand(1);
-  app.footer(examples);
+  app.footer(examples_of("morphcl") + "\n\n" + exit_codes);
   add_render(app, render, action);
   add_plan(app, plan, action);
   add_compare(app, compare, action);

@@ -1,7 +1,6 @@
 #include "cli/option_values.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -11,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/scene/model/rate_hint.hpp"
+#include "host/scene/shot/nearest_name.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "morphcl/job.hpp"
@@ -72,9 +73,15 @@ TimeBase parse_fps(const std::string& text) {
   const auto denominator = slash == std::string_view::npos
                                ? std::optional<std::int64_t>(1)
                                : whole_number<std::int64_t>(view.substr(slash + 1), 1, max_rate);
-  if (!numerator || !denominator)
+  if (!numerator || !denominator) {
+    const auto meant = rate_in_text(text);
+    if (meant && slash == std::string_view::npos && meant->fps_denominator != 1)
+      throw Error(ErrorKind::usage, "--fps",
+                  fmt::format("'{}' is no exact frame rate; a ratio says it: {}/{}", text, meant->fps_numerator,
+                              meant->fps_denominator));
     throw Error(ErrorKind::usage, "--fps",
                 fmt::format("'{}' is no frame rate; a whole number such as 25, or a ratio such as 30000/1001", text));
+  }
   return {*numerator, *denominator};
 }
 
@@ -104,7 +111,7 @@ void set_compression(const std::string& name, ImageSettings& image) {
   const auto& names = compression_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw Error(ErrorKind::usage, "--compression",
-                fmt::format("'{}' is no compression; one of {}", name, fmt::join(names, ", ")));
+                fmt::format("'{}' is no compression{}", name, suggestion(name, {names.begin(), names.end()})));
   image.compression = name;
 }
 
@@ -114,7 +121,7 @@ void set_depth_buffer(const std::string& name, ImageSettings& image) {
     std::vector<std::string_view> names;
     for (const DepthFormat known : depth_formats) names.push_back(name_of(known));
     throw Error(ErrorKind::usage, "--depth-buffer",
-                fmt::format("'{}' is no depth buffer; one of {}", name, fmt::join(names, ", ")));
+                fmt::format("'{}' is no depth buffer{}", name, suggestion(name, names)));
   }
   image.depth_format = *format;
 }

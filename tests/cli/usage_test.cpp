@@ -1,4 +1,7 @@
 // What is wrong on the command line itself: exit code 2, one line, nothing written.
+#include <cstdlib>
+#include <sstream>
+
 #include "tests/cli/cube_shot.hpp"
 #include "tests/cli/expectations.hpp"
 #include "tests/cli/tool_test.hpp"
@@ -38,8 +41,10 @@ TEST_F(Usage, FpsZero) { expect_usage_error({"--fps", "0"}, "--fps"); }
 TEST_F(Usage, FpsDividedByZero) { expect_usage_error({"--fps", "25/0"}, "--fps"); }
 TEST_F(Usage, ThreadsZero) { expect_usage_error({"--threads", "0"}, "--threads"); }
 TEST_F(Usage, ThreadsAbsurd) { expect_usage_error({"--threads", "100000"}, "1024"); }
-TEST_F(Usage, UnknownCompression) { expect_usage_error({"--compression", "gzip"}, "piz"); }
-TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "fixed8"}, "fixed24"); }
+TEST_F(Usage, UnknownCompression) {
+  expect_usage_error({"--compression", "lzma"}, "known: none, rle, zips, zip, zip:small, piz, ");
+}
+TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "stencil"}, "fixed24"); }
 TEST_F(Usage, UnknownChannel) { expect_usage_error({"--channels", "RGB"}, "'RGB' is no channel"); }
 TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--channels"); }
 TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
@@ -63,6 +68,49 @@ TEST_F(Usage, UnknownView) {
 }
 TEST_F(Usage, ViewAndCamera) { expect_usage_error({"--view", "left", "--camera", "0"}, "--view"); }
 TEST_F(Usage, ControlCharactersStayOnOneLine) { expect_usage_error({"--size", "1\n2\033[31m"}, "--size"); }
+
+TEST_F(Usage, ANearMissIsNamed) {
+  expect_usage_error({"--frame", "3"}, "'--frame' is no option of morphcl render; did you mean \"--frames\"?");
+  expect_usage_error({"--frame=3"}, "did you mean \"--frames\"?");
+  expect_usage_error({"-frames", "3"}, "did you mean \"--frames\"?");
+  expect_usage_error({"--resum"}, "did you mean \"--resume\"?");
+  expect_usage_error({"--compression", "zpi"}, "'zpi' is no compression; did you mean \"zip\"?");
+  expect_usage_error({"--depth-buffer", "fixed23"}, "did you mean \"fixed24\"?");
+  expect_usage_error({"--fps", "29.97"}, "--fps: '29.97' is no exact frame rate; a ratio says it: 30000/1001");
+  expect_one_line_error(run_tool({"rendr", "shot.toml"}), 2,
+                        "'rendr' is no command of morphcl; did you mean \"render\"?");
+  expect_one_line_error(run_tool({"a/shot.toml"}), 2, "did you mean morphcl render a/shot.toml?");
+  expect_one_line_error(run_tool({"plan", "shot.toml", "--frames", "3"}), 2, "did you mean \"--frame\"?");
+}
+
+// The lines of a help text that begin as a command line does.
+std::vector<std::string> examples_in(const std::string& help) {
+  std::vector<std::string> examples;
+  std::istringstream stream(help);
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("  morphcl ")) examples.push_back(line.substr(2));
+  return examples;
+}
+
+// As typed in the repository's folder, one after the other, as a reader tries them.
+TEST_F(Usage, TheExamplesOfEveryHelpWork) {
+  std::filesystem::create_directory_symlink(MORPHCL_SOURCE_DIR "/demos", folder_ / "demos");
+  const std::string search = std::filesystem::path(MORPHCL_TOOL).parent_path().string() + ":" + std::getenv("PATH");
+  for (const char* command : {"", "render", "plan", "compare", "info", "devices", "warm", "accuracy"}) {
+    const std::vector<std::string> examples =
+        examples_in(*command ? run_tool({command, "--help"}).out : run_tool({"--help"}).out);
+    EXPECT_GE(examples.size(), 2u) << command;
+    EXPECT_LE(examples.size(), 4u) << command;
+    for (const std::string& example : examples) {
+      EXPECT_LE(example.size(), 118u) << example;
+      EXPECT_THAT(example, HasSubstr(command));
+      const ToolResult result =
+          test_support::run_process({"/bin/sh", "-c", example}, {.environment = {{"PATH", search}}, .folder = folder_});
+      EXPECT_EQ(result.code, 0) << example << ": " << result.err;
+      EXPECT_NE(result.out + result.err, "") << example;
+    }
+  }
+}
 
 TEST(Help, IsOnStdoutWithCodeZero) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"--help"},

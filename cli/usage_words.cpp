@@ -1,0 +1,60 @@
+#include "cli/usage_words.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/shot/nearest_name.hpp"
+#include "morphcl/error.hpp"
+
+namespace morphcl::cli {
+
+namespace {
+
+bool is_scene(std::string_view argument) {
+  constexpr std::array<std::string_view, 4> endings{".toml", ".gltf", ".glb", ".obj"};
+  return std::any_of(endings.begin(), endings.end(),
+                     [argument](std::string_view end) { return argument.ends_with(end); });
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& name) {
+  const std::string what = fmt::format("'{}' is no command of morphcl", printable(name));
+  if (is_scene(name)) return what + "; did you mean morphcl render " + printable(name) + "?";
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
+  return what + suggestion(name, {commands.begin(), commands.end()});
+}
+
+// Without its value, which may stand behind a '='.
+std::string unknown_option(const CLI::App& command, std::string_view argument) {
+  const std::string_view name = argument.substr(0, argument.find('='));
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
+  return fmt::format("'{}' is no option of morphcl {}{}", printable(name), command.get_name(),
+                     suggestion(name, {options.begin(), options.end()}));
+}
+
+}  // namespace
+
+std::string usage_words(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (commands.empty()) {
+    const std::vector<std::string> rest = app.remaining();
+    if (rest.empty() || rest.front().starts_with('-')) return printable(error.what()) + "; see morphcl --help";
+    return unknown_command(app, rest.front()) + "; see morphcl --help";
+  }
+  const CLI::App& command = *commands.front();
+  const std::string help = fmt::format("; see morphcl {} --help", command.get_name());
+  const std::vector<std::string> rest = command.remaining();
+  const auto option =
+      std::find_if(rest.begin(), rest.end(), [](const std::string& one) { return one.starts_with('-'); });
+  if (option != rest.end()) return unknown_option(command, *option) + help;
+  return printable(error.what()) + help;
+}
+
+}  // namespace morphcl::cli
