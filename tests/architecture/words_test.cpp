@@ -70,6 +70,9 @@ std::set<std::string> identifiers(const std::string& code) {
       for (++at; at < code.size() && code[at] != '"'; ++at)
         if (code[at] == '\\') ++at;
       ++at;
+    } else if (code[at] == '\'' && (at == 0 || !letter(at - 1))) {  // a character, not a mark between digits
+      at += code.compare(at, 2, "'\\") == 0 ? 3 : 2;
+      at = skip_past(at, "'");
     } else if (letter(at)) {
       const std::size_t first = at;
       while (letter(at)) ++at;
@@ -106,6 +109,7 @@ TEST(Words, NoNameOfTheLibraryHasOneThatIsListed) {
 }
 
 TEST(Words, AreFoundInNamesAndNowhereElse) {
+  EXPECT_THAT(identifiers("a == '\"' || b == '\\'' || c == 1'000 || d"), ElementsAre("a", "b", "c", "d"));
   EXPECT_THAT(identifiers("int least_w = 3;  // least\nf(\"most\", R\"x(greatest)x\"); /* most */ #define MOST 1"),
               ElementsAre("MOST", "define", "f", "int", "least_w"));
   EXPECT_EQ(in_parts("mostWanted_thing"), "_most_wanted_thing_");

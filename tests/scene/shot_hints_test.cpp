@@ -74,6 +74,14 @@ TEST(ShotHint, TextWithoutQuotes) {
             "shot.toml:2:30: the text linear needs quotes: \"linear\"");
 }
 
+TEST(ShotHint, WordsThatAreNoText) {
+  const test::ShotFolder folder;
+  EXPECT_EQ(folder.refusal("[[object]]\ndouble_sided = True"),
+            "shot.toml:2:16: True is written in small letters: true");
+  EXPECT_EQ(folder.refusal("[camera]\nnear = .5").find("needs quotes"), std::string::npos) << "a number";
+  EXPECT_EQ(folder.refusal("[camera]\nnear = 1 2").find("needs quotes"), std::string::npos);
+}
+
 TEST(ShotHint, BackslashesInPaths) {
   const test::ShotFolder folder;
   const std::string error = folder.refusal("[[object]]\nmesh = \"models\\pot.obj\"");

@@ -16,7 +16,7 @@ namespace morphcl {
 namespace {
 
 constexpr std::int64_t max_code = 255;
-constexpr std::int64_t least_suspicious = 16;
+constexpr std::int64_t min_suspicious = 16;
 
 // IEC 61966-2-1, to the four digits that are printed.
 double linear_of(std::int64_t code) {
@@ -67,7 +67,7 @@ void refuse_codes(const ShotValue& color) {
     codes.push_back(*code);
   }
   const auto largest = std::max_element(codes.begin(), codes.end());
-  if (largest == codes.end() || *largest < least_suspicious) return;
+  if (largest == codes.end() || *largest < min_suspicious) return;
   color[static_cast<std::size_t>(largest - codes.begin())].fail(fmt::format(
       "{} holds {}; colours are linear light, 1 is white: sRGB [{}] of 255 is {}; write {}.0 if it is meant",
       color.name(), *largest, fmt::join(codes, ", "), linear_array(codes), *largest));

@@ -159,13 +159,23 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
+constexpr std::array<std::string_view, 4> bare_values{"true", "false", "inf", "nan"};
+
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 // The first value of a line of a key and its value that begins as text does and has no quotes, if there is one; what it
 // points at is a part of the line.
 std::optional<std::string_view> unquoted_text(std::string_view line) {
-  constexpr std::string_view ends = " \t,]}#\"'", letters_besides = "_/~.\\";
-  constexpr std::array<std::string_view, 4> values{"true", "false", "inf", "nan"};
-  const auto begins_text = [letters_besides](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || letters_besides.find(c) != std::string_view::npos;
+  constexpr std::string_view ends = " \t,]}#\"'", letters_besides = "_/~\\";
+  const auto begins_text = [letters_besides](std::string_view rest) {
+    const char c = rest[0];
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || letters_besides.find(c) != std::string_view::npos ||
+           rest.starts_with("./") || rest.starts_with("../");
   };
   bool after_key = false, in_table = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -180,9 +190,9 @@ std::optional<std::string_view> unquoted_text(std::string_view line) {
     if (c == '{' || c == '}') in_table = c == '{';
     const bool before_value = after_key && (c == '=' || c == '[' || (c == ',' && !in_table));
     const std::size_t begin = line.find_first_not_of(" \t", i + 1);
-    if (!before_value || begin == std::string_view::npos || !begins_text(line[begin])) continue;
+    if (!before_value || begin == std::string_view::npos || !begins_text(line.substr(begin))) continue;
     const std::string_view word = line.substr(begin, line.find_first_of(ends, begin) - begin);
-    if (std::find(values.begin(), values.end(), word) == values.end()) return word;
+    if (std::find(bare_values.begin(), bare_values.end(), word) == bare_values.end()) return word;
   }
   return std::nullopt;
 }
@@ -201,9 +211,13 @@ TomlValue parse_toml(std::string_view text, const std::string& file) {
   } catch (const toml::parse_error& error) {
     const toml::source_position place = error.source().begin;
     const std::string_view line = line_of(text, static_cast<int>(place.line));
-    if (const auto word = unquoted_text(line))
+    if (const auto word = unquoted_text(line)) {
+      const std::string small = in_small_letters(*word);
+      const bool value = std::find(bare_values.begin(), bare_values.end(), small) != bare_values.end();
       fail(file, place.line, static_cast<std::int64_t>(word->data() - line.data()) + 1,
-           fmt::format("the text {} needs quotes: \"{}\"", *word, *word));
+           value ? fmt::format("{} is written in small letters: {}", *word, small)
+                 : fmt::format("the text {} needs quotes: \"{}\"", *word, *word));
+    }
     std::string message(error.description());
     if (message.find("escape") != std::string::npos)
       message += "; in double quotes a backslash begins an escape: write / in paths, or \\\\";
