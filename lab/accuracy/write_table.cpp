@@ -71,7 +71,7 @@ std::string batches_of(const OperationReport& report, const std::string& family)
     }
     rows.push_back(std::move(row));
   }
-  return aligned(std::move(rows));
+  return aligned(rows);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::string table_of(const OperationReport& report) {
     std::vector<TextRow> rows = {heading_row(report)};
     for (const Result& result : report.results)
       if (result.family == family.name) rows.push_back(cells(report, result));
-    text += aligned(std::move(rows)) + "  -> " + verdict(report, family.name) + "\n";
+    text += aligned(rows) + "  -> " + verdict(report, family.name) + "\n";
     text += "  batches (elements), median ns an element:\n" + batches_of(report, family.name);
   }
   return text;

@@ -53,7 +53,7 @@ std::vector<char> file_of(const FrameBuffer& frame, const std::string& compressi
 }
 
 // By OpenEXR, with its own compressor.
-std::vector<char> file_by_library(FrameBuffer& frame, Imath::V2i first = {0, 0}) {
+std::vector<char> file_by_library(FrameBuffer& frame, const Imath::V2i& first = {0, 0}) {
   const Imath::V2i last(first.x + frame.width() - 1, first.y + frame.height() - 1);
   Imf::Header header(Imath::Box2i({0, 0}, {499, 499}), Imath::Box2i(first, last));
   header.compression() = Imf::ZIP_COMPRESSION;
