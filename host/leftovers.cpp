@@ -28,6 +28,13 @@ Leftover::Leftover(std::string path) {
   entry_ = list.paths.insert(list.paths.end(), std::move(path));
 }
 
+Leftover::Leftover(std::string path, const std::function<void()>& make) {
+  LeftoverList& list = leftover_list();
+  const std::lock_guard lock(list.mutex);
+  entry_ = list.paths.insert(list.paths.end(), std::move(path));
+  make();
+}
+
 Leftover::~Leftover() {
   LeftoverList& list = leftover_list();
   const std::lock_guard lock(list.mutex);

@@ -1,6 +1,7 @@
 // What a process has to remove when it ends at once, without running destructors.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <string>
 
@@ -11,6 +12,8 @@ namespace morphcl {
 class Leftover {
  public:
   explicit Leftover(std::string path);
+  // The same of what `make` makes, which is then either on the list or not made: remove_leftovers() leaves no gap.
+  Leftover(std::string path, const std::function<void()>& make);
   ~Leftover();
   Leftover(const Leftover&) = delete;
   Leftover& operator=(const Leftover&) = delete;

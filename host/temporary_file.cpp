@@ -118,8 +118,12 @@ int TemporaryFile::last_error() { return errno != 0 ? errno : EIO; }
 
 // False where the name is another's; error_ where no file can be made at all.
 bool TemporaryFile::take_name(const std::string& name, mode_t mode) {
-  temporary_.emplace(name);
-  file_ = open_above_standard(name.c_str(), O_CREAT | O_EXCL | O_WRONLY, mode);
+  int failure = 0;
+  temporary_.emplace(name, [&] {
+    file_ = open_above_standard(name.c_str(), O_CREAT | O_EXCL | O_WRONLY, mode);
+    failure = errno;
+  });
+  errno = failure;
   if (file_ >= 0) {
     if (take_lock(file_) != Lock::held && stands_under(file_, name)) return true;
     close(file_);  // taken for a stale one before it was locked
