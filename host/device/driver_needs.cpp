@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "host/device/prepare_process.hpp"
-#include "host/device/thread_count.hpp"
+#include "host/thread_count.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {

@@ -9,7 +9,7 @@
 
 #include "host/device/driver_needs.hpp"
 #include "host/device/probe.hpp"
-#include "host/device/thread_count.hpp"
+#include "host/thread_count.hpp"
 #include "morphcl/session.hpp"
 
 namespace morphcl {

@@ -55,7 +55,9 @@ class Renderer {
 
 // Error(usage) without a session. The session must be one that Session::open() gave.
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session);
-std::unique_ptr<Renderer> make_reference_renderer();
+// It draws a frame with `threads` threads, 1 to 4096, which share its rows, or with as many as can be started; 0: one for
+// each processor that the process may use. The pixels are the same. Error(usage) for other numbers.
+std::unique_ptr<Renderer> make_reference_renderer(int threads = 1);
 
 }  // namespace morphcl
 #pragma GCC visibility pop

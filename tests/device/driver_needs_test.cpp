@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "host/device/thread_count.hpp"
+#include "host/thread_count.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/session.hpp"
 #include "tests/device/run_device_child.hpp"

@@ -1,5 +1,5 @@
 // How many threads a process takes, and that the device keeps to it.
-#include "host/device/thread_count.hpp"
+#include "host/thread_count.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -1,16 +1,41 @@
 #include <Imath/half.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
 #include <vector>
 
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/reference/shade.hpp"
+#include "host/thread_count.hpp"
+#include "host/threads.hpp"
 #include "morphcl/renderer.hpp"
 
 namespace morphcl {
 
 namespace {
+
+using reference::Rows;
+using SceneVertices = std::vector<std::vector<reference::Vertex>>;
+
+// Of one row of the frame; null for channels that it lacks.
+struct RowMemory {
+  std::uint16_t* color[4] = {};
+  float* distance = nullptr;
+};
+
+std::vector<RowMemory> memory_of_rows(FrameBuffer& frame) {
+  std::vector<RowMemory> rows(static_cast<std::size_t>(frame.height()));
+  for (int y = 0; y < frame.height(); ++y) {
+    RowMemory& row = rows[static_cast<std::size_t>(y)];
+    for (int c = 0; frame.has_color() && c < 4; ++c) row.color[c] = frame.color_row(c, y).data();
+    if (frame.has_depth()) row.distance = frame.depth_row(y).data();
+  }
+  return rows;
+}
 
 // The halves of a surface's colour, and of alpha.
 std::array<std::uint16_t, 4> opaque_pixel(const glm::vec3& color) {
@@ -18,8 +43,28 @@ std::array<std::uint16_t, 4> opaque_pixel(const glm::vec3& color) {
           imath_float_to_half(1.0f)};
 }
 
+void draw_rows(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
+               const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+  reference::find_visible(plan, grid, vertices, rows, visible);
+  for (int y = rows.first; y < plan.height; y += rows.step) {
+    const RowMemory& row = frame[static_cast<std::size_t>(y)];
+    const BackgroundRow behind = plan.background ? (*plan.background)[static_cast<std::size_t>(y)] : BackgroundRow{};
+    for (int x = 0; x < plan.width; ++x) {
+      const reference::Sample& sample = visible.sample(x, y);
+      const bool background = sample.order == reference::no_order;
+      if (plan.color) {
+        const BackgroundRow pixel = background ? behind : opaque_pixel(reference::shade(plan, visible, vertices, x, y));
+        for (std::size_t c = 0; c < 4; ++c) row.color[c][x] = pixel[c];
+      }
+      if (plan.depth) row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
+    }
+  }
+}
+
 class ReferenceRenderer : public Renderer {
  public:
+  explicit ReferenceRenderer(int threads) : threads_(threads) {}
+
   std::string name() const override { return "reference"; }
 
   // The samples of the picture.
@@ -28,29 +73,46 @@ class ReferenceRenderer : public Renderer {
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     const RasterGrid grid(plan.width, plan.height);
-    std::vector<std::vector<reference::Vertex>> vertices;
+    SceneVertices vertices;
     for (const Draw& draw : plan.draws) vertices.push_back(reference::project_vertices(draw, plan, grid));
-    const reference::Visibility visible = reference::find_visible(plan, grid, vertices);
-
-    for (int y = 0; y < plan.height; ++y) {
-      const BackgroundRow behind = plan.background ? (*plan.background)[static_cast<std::size_t>(y)] : BackgroundRow{};
-      for (int x = 0; x < plan.width; ++x) {
-        const reference::Sample& sample = visible.samples[static_cast<std::size_t>(y) * plan.width + x];
-        const bool background = sample.order == reference::no_order;
-        if (plan.color) {
-          const BackgroundRow pixel =
-              background ? behind : opaque_pixel(reference::shade(plan, visible, vertices, x, y));
-          for (int c = 0; c < 4; ++c) frame.color_row(c, y)[x] = pixel[static_cast<std::size_t>(c)];
+    const std::vector<RowMemory> rows = memory_of_rows(frame);
+    const int parts = std::min(threads_, plan.height);
+    visible_.resize(static_cast<std::size_t>(parts));
+    std::mutex mutex;
+    int next_part = 0;
+    std::exception_ptr failure;
+    const auto draw_parts = [&](int) {
+      for (;;) {
+        int part = 0;
+        {
+          const std::lock_guard lock(mutex);
+          if (failure || next_part == parts) return;
+          part = next_part++;
         }
-        if (plan.depth)
-          frame.depth_row(y)[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
+        try {
+          draw_rows(plan, grid, vertices, {part, parts}, rows, visible_[static_cast<std::size_t>(part)]);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failure = std::current_exception();
+        }
       }
+    };
+    {
+      std::vector<std::jthread> others;
+      start_threads(others, parts - 1, draw_parts);
+      draw_parts(0);
     }
+    if (failure) std::rethrow_exception(failure);
   }
+
+  int threads_;
+  std::vector<reference::Visibility> visible_;  // of each part
 };
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_reference_renderer() { return std::make_unique<ReferenceRenderer>(); }
+std::unique_ptr<Renderer> make_reference_renderer(int threads) {
+  return std::make_unique<ReferenceRenderer>(choose_thread_count(threads));
+}
 
 }  // namespace morphcl

@@ -65,7 +65,7 @@ float eye_distance(const FramePlan& plan, float depth) {
 
 glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
                 int x, int y) {
-  const Sample& sample = visible.samples[static_cast<std::size_t>(y) * plan.width + x];
+  const Sample& sample = visible.sample(x, y);
   const Draw& draw = plan.draws[sample.draw];
   glm::vec3 color(draw.base_color[0], draw.base_color[1], draw.base_color[2]);
   if (draw.shading == Shading::wireframe) return color;

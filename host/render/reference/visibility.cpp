@@ -17,7 +17,7 @@ int last_pixel(int high) { return (high - layout::half_pixel) >> layout::subpixe
 
 class Rasterizer {
  public:
-  Rasterizer(const FramePlan& plan, std::vector<Sample>& samples) : plan_(plan), samples_(samples) {}
+  Rasterizer(const FramePlan& plan, Visibility& visible) : plan_(plan), visible_(visible) {}
 
   // `identity` holds everything of the samples but their depth.
   void triangle(ScreenVertex a, ScreenVertex b, ScreenVertex c, bool double_sided, bool may_be_small,
@@ -33,8 +33,9 @@ class Rasterizer {
     const int first_x = first_pixel(low_x), first_y = first_pixel(low_y);
     const int last_x = std::min(last_pixel(high_x), plan_.width - 1),
               last_y = std::min(last_pixel(high_y), plan_.height - 1);
+    const Rows rows = visible_.rows;
     const auto fill = [&](const auto& depth_at) {
-      for (int y = std::max(first_y, 0); y <= last_y; ++y)
+      for (int y = rows.next_from(std::max(first_y, 0)); y <= last_y; y += rows.step)
         for (int x = std::max(first_x, 0); x <= last_x; ++x)
           if (inside(a, b, x, y) && inside(b, c, x, y) && inside(c, a, x, y)) cover(x, y, depth_at(x, y), identity);
     };
@@ -69,8 +70,8 @@ class Rasterizer {
       const std::int64_t numerator = across * run + rise * offset, denominator = run * layout::subpixels;
       const std::int64_t other = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
       if (other < 0 || other >= (steep ? plan_.width : plan_.height)) continue;
-      cover(steep ? static_cast<int>(other) : along, steep ? along : static_cast<int>(other),
-            depth_on_line(plan_, a, b, offset, run), identity);
+      const int x = steep ? static_cast<int>(other) : along, y = steep ? along : static_cast<int>(other);
+      if (visible_.rows.next_from(y) == y) cover(x, y, depth_on_line(plan_, a, b, offset, run), identity);
     }
   }
 
@@ -98,7 +99,7 @@ class Rasterizer {
 
   void cover(int x, int y, const StoredDepth& stored, const Sample& identity) {
     if (!stored.in_range) return;
-    Sample& held = samples_[static_cast<std::size_t>(y) * plan_.width + x];
+    Sample& held = visible_.samples[visible_.index(x, y)];
     const bool forward = is_forward(plan_.depth_format);
     const bool nearer = forward ? stored.key > held.key : stored.depth > held.depth;
     const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
@@ -110,7 +111,7 @@ class Rasterizer {
   }
 
   const FramePlan& plan_;
-  std::vector<Sample>& samples_;
+  Visibility& visible_;
 };
 
 }  // namespace
@@ -118,9 +119,18 @@ class Rasterizer {
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices) {
   Visibility visible;
-  visible.samples.assign(static_cast<std::size_t>(plan.width) * plan.height,
+  find_visible(plan, grid, vertices, {}, visible);
+  return visible;
+}
+
+void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+                  const Rows& rows, Visibility& visible) {
+  visible.rows = rows;
+  visible.width = plan.width;
+  visible.pieces.clear();
+  visible.samples.assign(static_cast<std::size_t>(plan.width) * rows.count(plan.height),
                          {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
-  Rasterizer rasterizer(plan, visible.samples);
+  Rasterizer rasterizer(plan, visible);
   std::uint64_t order = 0;
   for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {
     const Draw& draw = plan.draws[d];
@@ -171,7 +181,6 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
       }
     }
   }
-  return visible;
 }
 
 }  // namespace morphcl::reference

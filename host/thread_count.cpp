@@ -1,4 +1,4 @@
-#include "host/device/thread_count.hpp"
+#include "host/thread_count.hpp"
 
 #include <fmt/format.h>
 #include <sched.h>
