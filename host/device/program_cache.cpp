@@ -50,16 +50,19 @@ std::span<const unsigned char> bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string> compiler_identity(const cl::Device& device, const cl::Platform& platform) {
-  std::vector<std::string> identity = {device.getInfo<CL_DEVICE_NAME>(),
-                                       device.getInfo<CL_DEVICE_VENDOR>(),
-                                       device.getInfo<CL_DEVICE_VERSION>(),
-                                       device.getInfo<CL_DRIVER_VERSION>(),
-                                       platform.getInfo<CL_PLATFORM_NAME>(),
-                                       platform.getInfo<CL_PLATFORM_VERSION>(),
-                                       processor_description()};
+std::vector<std::string> machine_identity() {
+  std::vector<std::string> identity = {processor_description()};
   const std::vector<std::string> variables = pocl_variables();
   identity.insert(identity.end(), variables.begin(), variables.end());
+  return identity;
+}
+
+std::vector<std::string> compiler_identity(const cl::Device& device, const cl::Platform& platform) {
+  std::vector<std::string> identity = {device.getInfo<CL_DEVICE_NAME>(),     device.getInfo<CL_DEVICE_VENDOR>(),
+                                       device.getInfo<CL_DEVICE_VERSION>(),  device.getInfo<CL_DRIVER_VERSION>(),
+                                       platform.getInfo<CL_PLATFORM_NAME>(), platform.getInfo<CL_PLATFORM_VERSION>()};
+  const std::vector<std::string> machine = machine_identity();
+  identity.insert(identity.end(), machine.begin(), machine.end());
   return identity;
 }
 

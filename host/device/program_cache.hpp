@@ -13,6 +13,9 @@
 
 namespace morphcl {
 
+// What of it is known without a device: the processor's model and features, and the POCL_ variables that change code.
+std::vector<std::string> machine_identity();
+
 // Everything besides the source and the options that decides what a compiler makes for this device here: device, driver
 // and platform with their versions, the processor's model and features (a home folder may be shared by unlike machines)
 // and the POCL_ variables that change code.

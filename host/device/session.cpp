@@ -16,6 +16,7 @@
 #include "host/device/device_list.hpp"
 #include "host/device/driver_needs.hpp"
 #include "host/device/kernel_source.hpp"
+#include "host/device/known_kernels.hpp"
 #include "host/device/prepare_process.hpp"
 #include "host/device/program_cache.hpp"
 #include "host/device/self_test.hpp"
@@ -34,7 +35,7 @@ constexpr std::uint64_t max_tolerated_ulp = 4;
 
 struct SourceProgram {
   cl::Program program;
-  std::string text;
+  std::string text, more_options;
   std::set<std::string> unstored;  // kernels in use that the cache does not have yet
 };
 
@@ -67,6 +68,7 @@ struct Session::Impl {
   std::string build_options;
   EditSource edit_source;
   std::optional<ProgramCache> cache;
+  std::optional<KnownKernels> known;  // of the default device alone
   SelfTestResult self_test;
   bool no_cache_wanted = false;
   std::string cache_name;     // for people; "" where there is no folder
@@ -78,7 +80,7 @@ struct Session::Impl {
   std::map<std::pair<ProgramKey, std::string>, cl::Program> programs;  // by kernel as well
   std::map<ProgramKey, SourceProgram> source_programs;
 
-  void open(const FoundDevice& chosen, const SessionOptions& options) {
+  void open(const FoundDevice& chosen, const SessionOptions& options, bool is_default) {
     info = chosen.info;
     context = cl::Context(chosen.device);
     queue = cl::CommandQueue(context, chosen.device);
@@ -92,6 +94,7 @@ struct Session::Impl {
     if (folder) cache_name = folder->string();
     no_cache_wanted = cache_is_switched_off(options.cache_dir);
     cache.emplace(folder, compiler_identity(chosen.device, chosen.platform));
+    if (is_default) known.emplace(folder);
   }
 
   std::string text_of(const KernelSource& source) const { return edit_source ? edit_source(source.text) : source.text; }
@@ -100,20 +103,36 @@ struct Session::Impl {
   // (see ProgramCache); all others come from one program built from source.
   cl::Program program(const KernelSource& source, const std::string& kernel, const std::string& more_options = "") {
     const std::lock_guard lock(programs_mutex);
+    if (const cl::Program* found = compiled_program(source, kernel, more_options)) return *found;
     const ProgramKey key{source.file, build_options + more_options};
-    cl::Program& program = programs[{key, kernel}];
-    if (program()) return program;
-    const std::string text = text_of(source);
-    if (auto cached = cache->load(context, text, key.second, kernel)) return program = *cached;
     ++kernels_compiled;
     SourceProgram& built = source_programs[key];
     if (!built.program()) {
-      built.program = build_from_source(context, source.file, text, key.second,
+      built.text = text_of(source);
+      built.more_options = more_options;
+      built.program = build_from_source(context, source.file, built.text, key.second,
                                         info.platform.starts_with("Portable Computing Language"));
-      built.text = text;
     }
     built.unstored.insert(kernel);
-    return program = built.program;
+    return programs[{key, kernel}] = built.program;
+  }
+
+  // One that was asked for before or that the cache has; null for others. Under programs_mutex.
+  const cl::Program* compiled_program(const KernelSource& source, const std::string& kernel,
+                                      const std::string& more_options) {
+    const ProgramKey key{source.file, build_options + more_options};
+    cl::Program& program = programs[{key, kernel}];
+    if (program()) return &program;
+    const std::string text = text_of(source);
+    const auto cached = cache->load(context, text, key.second, kernel);
+    if (!cached) return nullptr;
+    note_known(text, more_options, kernel);
+    program = *cached;
+    return &program;
+  }
+
+  void note_known(const std::string& text, const std::string& more_options, const std::string& kernel) const {
+    if (known) known->add(text, more_options, kernel);
   }
 
   Kernel kernel(const KernelSource& source, const std::string& name, const std::string& more_options = "") {
@@ -123,11 +142,15 @@ struct Session::Impl {
 
   // Each kernel once: where storing failed it will fail again. The lock is not held while the driver makes binaries,
   // which takes PoCL as long as compiling did.
-  std::map<ProgramKey, SourceProgram> take_unstored() {
+  std::optional<std::pair<ProgramKey, SourceProgram>> take_unstored() {
     const std::lock_guard lock(programs_mutex);
-    const std::map<ProgramKey, SourceProgram> taken = source_programs;
-    for (auto& [key, built] : source_programs) built.unstored.clear();
-    return taken;
+    for (auto& [key, built] : source_programs) {
+      if (built.unstored.empty()) continue;
+      const std::pair<ProgramKey, SourceProgram> taken{key, built};
+      built.unstored.clear();
+      return taken;
+    }
+    return std::nullopt;
   }
 
   void note_cache_trouble(const std::string& reason) {
@@ -142,7 +165,7 @@ struct Session::Impl {
   void run_self_test() {
     const KernelSource& source = kernel_source("self_test");
     const std::string text = text_of(source);
-    if (cache->is_known_identical(text, build_options)) return;
+    if (cache->is_known_identical(text, build_options)) return note_known(text, "", self_test_note);
     const Kernel scalar = kernel(source, "self_test_scalar");
     const Kernel vector = kernel(source, "self_test_vector");
     self_test = morphcl::run_self_test(context, queue, scalar, vector);
@@ -152,7 +175,9 @@ struct Session::Impl {
           fmt::format("device \"{}\" computes wrong ({}), so its pictures would be others; use another device, or "
                       "--device reference",
                       info.name, self_test.detail));
-    if (self_test.verdict == Verdict::identical) cache->remember_identical(text, build_options);
+    if (self_test.verdict != Verdict::identical) return;
+    cache->remember_identical(text, build_options);
+    note_known(text, "", self_test_note);
   }
 };
 
@@ -180,7 +205,7 @@ std::shared_ptr<Session> open_session(const SessionOptions& options, EditSource 
   auto& impl = SessionAccess::impl(*session);
   checked(fmt::format("opening device \"{}\"", chosen.info.name), [&] {
     impl.edit_source = std::move(edit_source);
-    impl.open(chosen, options);
+    impl.open(chosen, options, &chosen == &choose_device(devices, ""));
     impl.run_self_test();
   });
   return session;
@@ -208,17 +233,34 @@ std::string Session::cache_trouble() const {
   return impl_->cache_trouble;
 }
 
-void Session::store_programs() {
+bool is_compiled(Session& session, const KernelSource& source, const std::string& kernel_name,
+                 const std::string& more_options) {
+  auto& impl = SessionAccess::impl(session);
+  const std::lock_guard lock(impl.programs_mutex);
+  return impl.compiled_program(source, kernel_name, more_options) != nullptr;
+}
+
+void store_programs(Session& session, const std::atomic<bool>& stop) {
+  auto& impl = SessionAccess::impl(session);
   try {
-    for (const auto& [key, built] : impl_->take_unstored()) {
-      if (built.unstored.empty()) continue;
+    while (!stop) {
+      const auto taken = impl.take_unstored();
+      if (!taken) return;
+      const auto& [key, built] = *taken;
       std::string trouble;
-      impl_->cache->store(built.program, built.text, key.second, built.unstored, &trouble);
-      impl_->note_cache_trouble(trouble);
+      const bool stored = impl.cache->store(built.program, built.text, key.second, built.unstored, &trouble);
+      impl.note_cache_trouble(trouble);
+      for (const std::string& kernel : built.unstored)
+        if (stored) impl.note_known(built.text, built.more_options, kernel);
     }
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
   }
+}
+
+void Session::store_programs() {
+  const std::atomic<bool> never = false;
+  morphcl::store_programs(*this, never);
 }
 
 }  // namespace morphcl

@@ -1,6 +1,7 @@
 // What the library itself takes from a session: context and queue (opencl_interop.hpp), and kernels.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,5 +22,12 @@ std::shared_ptr<Session> open_session(const SessionOptions& options, EditSource 
 // each choice of them is a program of its own.
 Kernel kernel_of(Session& session, const KernelSource& source, const std::string& kernel_name,
                  const std::string& more_options = "");
+
+// Whether kernel_of() was called for this kernel before, or finds its binary in the cache: it takes no compiler then.
+bool is_compiled(Session& session, const KernelSource& source, const std::string& kernel_name,
+                 const std::string& more_options = "");
+
+// Session::store_programs() that looks at `stop` before each program, and leaves the others for another call.
+void store_programs(Session& session, const std::atomic<bool>& stop);
 
 }  // namespace morphcl

@@ -24,15 +24,13 @@ namespace {
 
 using layout::uint;
 
-// Kernels are compiled for one depth buffer; those for the default one know nothing of the others.
-std::string depth_options(DepthFormat format) {
-  return format == DepthFormat::reversed_float ? "" : fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
-}
+constexpr std::size_t no_band_limit = std::numeric_limits<std::size_t>::max();
 
 class DeviceRenderer : public Renderer {
  public:
-  DeviceRenderer(std::shared_ptr<Session> session, std::size_t max_band)
+  DeviceRenderer(std::shared_ptr<Session> session, std::size_t max_band, BeforeFirstUse before_first)
       : session_(std::move(session)),
+        before_first_(std::move(before_first)),
         memory_(session_),
         pictures_(context_of(*session_), std::min(max_band, session_->info().max_allocation)) {}
 
@@ -73,8 +71,10 @@ class DeviceRenderer : public Renderer {
 
   const Kernel& kernel(const char* stage, const char* name) {
     Kernel& found = kernels_[{depth_format_, name}];
-    if (!found) found = kernel_of(*session_, kernel_source(stage), name, depth_options(depth_format_));
-    return found;
+    if (found) return found;
+    const FrameKernel wanted{stage, name, depth_options(depth_format_)};
+    if (before_first_) before_first_(wanted);
+    return found = kernel_of(*session_, kernel_source(stage), name, wanted.options);
   }
 
   // Everything up to the pixels is queued without waiting: what is uploaded must stay until the queue has finished.
@@ -206,6 +206,7 @@ class DeviceRenderer : public Renderer {
   }
 
   std::shared_ptr<Session> session_;
+  BeforeFirstUse before_first_;
   FrameMemory memory_;
   BinPools pools_;
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
@@ -227,13 +228,22 @@ class DeviceRenderer : public Renderer {
 
 }  // namespace
 
+// Kernels are compiled for one depth buffer; those for the default one know nothing of the others.
+std::string depth_options(DepthFormat format) {
+  return format == DepthFormat::reversed_float ? "" : fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
+}
+
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t max_band) {
   if (!session) throw Error(ErrorKind::usage, "", "a device renderer needs a session; Session::open() gives one");
-  return std::make_unique<DeviceRenderer>(std::move(session), max_band);
+  return std::make_unique<DeviceRenderer>(std::move(session), max_band, BeforeFirstUse());
+}
+
+std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, BeforeFirstUse before_first) {
+  return std::make_unique<DeviceRenderer>(std::move(session), no_band_limit, std::move(before_first));
 }
 
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session) {
-  return make_device_renderer(std::move(session), std::numeric_limits<std::size_t>::max());
+  return make_device_renderer(std::move(session), no_band_limit);
 }
 
 }  // namespace morphcl
