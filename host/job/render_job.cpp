@@ -143,6 +143,7 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
   PlanAhead plans(planner_, frames);
   for (std::size_t i = 0; i < frames.size() && going_on(); ++i) {
     PlannedFrame planned = plans.next();
+    renderer_.expect_frames(static_cast<std::int64_t>(frames.size() - i));
     add_frame(planned, queue);
     draw_lost_copies(queue);
   }
@@ -173,6 +174,7 @@ void JobRun::draw_frame(PlannedFrame& planned, WrittenFramePromise written, Writ
     renderer_.render(*planned.plan, *task.pixels);
     task.result.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    task.result.drawn_by = renderer_.drawn_by();
     if (job_.on_drawn) job_.on_drawn(planned.frame);
   } catch (const std::exception& error) {
     queue.give_back(std::move(task.pixels));

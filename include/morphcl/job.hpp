@@ -27,6 +27,7 @@ struct FrameResult {
   // Of a resumed job's frame that was rendered or copied: a file stood under its name that was not kept, since it was
   // damaged, or of another shot, other settings or another frame.
   bool replaced = false;
+  std::string drawn_by;  // Renderer::drawn_by(); "" unless it was rendered
 };
 
 enum class FrameFormat { exr, png };

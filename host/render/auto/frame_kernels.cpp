@@ -1,0 +1,132 @@
+#include "host/render/auto/frame_kernels.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "host/render/frame/kernel_layout.hpp"
+
+namespace morphcl {
+
+namespace {
+
+constexpr std::size_t chunk_groups = 64;  // of primitives, below which a frame is one chunk (lay_out_bins)
+
+std::size_t groups_of(std::size_t count) { return (count + layout::lanes - 1) / layout::lanes; }
+
+// Edges that a wireframe shows, about: finding them takes longer than it is worth.
+std::size_t primitive_count(const Draw& draw) {
+  if (draw.shading != Shading::wireframe) return draw.mesh->triangles.size();
+  return draw.mesh->edges.empty() ? draw.mesh->triangles.size() * 3 / 2 : draw.mesh->edges.size();
+}
+
+bool is_one_chunk(const FramePlan& plan) {
+  std::size_t vertex_groups = 0, primitive_groups = 0;
+  for (const Draw& draw : plan.draws) {
+    vertex_groups += groups_of(draw.mesh->positions.size());
+    primitive_groups += groups_of(primitive_count(draw));
+  }
+  return vertex_groups > 0 && vertex_groups <= layout::vertex_groups_per_chunk && primitive_groups < 2 * chunk_groups;
+}
+
+struct KernelCost {
+  std::string_view name;
+  double compile, store;  // seconds
+};
+
+// PoCL 3.1 on a core of an AVX-512 server processor: differences between processes that compile them and others. Of
+// what compiling takes for a whole program each has a part.
+constexpr KernelCost kernel_costs[] = {
+    {"project_light_and_bin", 0.6, 0.5}, {"project_vertices", 0.35, 0.3},         {"count_clipped", 0.15, 0.1},
+    {"clip_primitives", 0.25, 0.2},      {"light_and_bin_primitives", 0.45, 0.4}, {"bin_primitives", 0.4, 0.35},
+    {"shade_tiles", 0.9, 0.8},
+};
+constexpr KernelCost unknown_kernel = {"", 0.5, 0.4};
+
+const KernelCost& cost_of(const FrameKernel& kernel) {
+  for (const KernelCost& cost : kernel_costs)
+    if (cost.name == kernel.name) return cost;
+  return unknown_kernel;
+}
+
+// Triangles without area: nothing of them is covered.
+Mesh degenerate_mesh(std::size_t triangles) {
+  Mesh mesh;
+  mesh.positions.assign(3, glm::vec3(0));
+  mesh.triangles.assign(triangles, glm::uvec3(0, 1, 2));
+  return mesh;
+}
+
+FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, DepthFormat depth_format) {
+  FramePlan plan;
+  plan.alone = true;
+  plan.width = plan.height = layout::tile;
+  plan.clips = clips;
+  plan.depth_format = depth_format;
+  plan.keeps_vertices = plan.keeps_blank_tiles = false;
+  plan.camera.near = plan.camera.near_depth = plan.camera.near_w = 1;
+  Draw draw{};
+  draw.mesh = &mesh;
+  draw.shading = shading;
+  draw.object_to_clip[3] = {0, 0, 0, 1};
+  plan.draws.push_back(draw);
+  return plan;
+}
+
+DepthFormat depth_format_of(const FrameKernels& kernels) {
+  for (const DepthFormat format : depth_formats)
+    for (const FrameKernel& kernel : kernels)
+      if (format != DepthFormat::reversed_float && kernel.options == depth_options(format)) return format;
+  return DepthFormat::reversed_float;
+}
+
+}  // namespace
+
+FrameKernels frame_kernels(const FramePlan& plan) {
+  const std::string options = depth_options(plan.depth_format);
+  FrameKernels kernels = {{"shade_tiles", "shade_tiles", options}};
+  if (!plan.clips && is_one_chunk(plan)) {
+    kernels.insert({"bin_primitives", "project_light_and_bin", options});
+    return kernels;
+  }
+  kernels.insert({"project_vertices", "project_vertices", options});
+  if (plan.clips) {
+    kernels.insert({"clip_primitives", "count_clipped", options});
+    kernels.insert({"clip_primitives", "clip_primitives", options});
+  }
+  const bool faces =
+      std::any_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) { return draw.shading == Shading::flat; });
+  kernels.insert({"bin_primitives", faces ? "light_and_bin_primitives" : "bin_primitives", options});
+  return kernels;
+}
+
+double compile_seconds(const FrameKernels& kernels) {
+  double seconds = 0;
+  for (const FrameKernel& kernel : kernels) seconds += cost_of(kernel).compile;
+  return seconds;
+}
+
+double store_seconds(const FrameKernels& kernels) {
+  double seconds = 0;
+  for (const FrameKernel& kernel : kernels) seconds += cost_of(kernel).store;
+  return seconds;
+}
+
+KernelSamples::KernelSamples(const FrameKernels& kernels)
+    : one_chunk_(degenerate_mesh(1)), many_chunks_(degenerate_mesh(2 * chunk_groups * layout::lanes)) {
+  const auto wanted = [&kernels](std::string_view name) {
+    return std::any_of(kernels.begin(), kernels.end(), [name](const FrameKernel& k) { return k.name == name; });
+  };
+  const DepthFormat format = depth_format_of(kernels);
+  const bool clips = wanted("count_clipped") || wanted("clip_primitives");
+  const Mesh& in_stages = clips ? one_chunk_ : many_chunks_;
+  if (wanted("project_light_and_bin")) plans_.push_back(sample_plan(one_chunk_, Shading::flat, false, format));
+  if (wanted("light_and_bin_primitives")) plans_.push_back(sample_plan(in_stages, Shading::flat, clips, format));
+  if (wanted("bin_primitives")) plans_.push_back(sample_plan(in_stages, Shading::unlit, clips, format));
+  // Stages that come with others have these by now.
+  if (plans_.empty() && !kernels.empty()) {
+    const bool stages = clips || wanted("project_vertices");
+    plans_.push_back(sample_plan(stages ? in_stages : one_chunk_, Shading::flat, clips, format));
+  }
+}
+
+}  // namespace morphcl
