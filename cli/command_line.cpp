@@ -90,8 +90,11 @@ void add_renderer_option(CLI::App& command, std::string& device) {
   command
       .add_option(
           "--device", device,
-          "Index or part of a name (see morphcl devices), or reference (plain C++); default: the first CPU device")
-      ->type_name("NAME|INDEX")
+          "auto (default): plain C++ draws at once, and the first CPU device goes on when its kernels are compiled, "
+          "where that ends sooner; reference: plain C++ alone; or a device by index or part of its name, from the "
+          "first "
+          "frame on (see morphcl devices). The pixels are the same")
+      ->type_name("auto|reference|NAME|INDEX")
       ->group("Device");
 }
 

@@ -80,7 +80,9 @@ int compare_command(const CompareOptions& options) {
   const Planner planner(scene);
   const std::vector<Truth> compared = truths(options.truth);
   std::vector<CompareSummary> summaries(compared.begin(), compared.end());
+  auto left = static_cast<std::int64_t>(frames.size());
   for (const std::int64_t frame : frames) {
+    opened.renderer->expect_frames(left--);
     const Plan plan = planner.plan(frame);
     accuracy::check_comparable(*plan);
     FrameBuffer pixels = plan.make_frame();
@@ -90,9 +92,9 @@ int compare_command(const CompareOptions& options) {
       const FrameDifference difference = accuracy::compare_with_fp64(scene, *plan, pixels, shown, compared[i]);
       summaries[i].add(difference);
       if (options.json)
-        print_difference_json(difference);
+        print_difference_json(difference, opened.renderer->drawn_by());
       else
-        print_difference_table(difference);
+        print_difference_table(difference, opened.renderer->drawn_by());
       files.add(difference);
     }
   }
@@ -100,6 +102,7 @@ int compare_command(const CompareOptions& options) {
     print_result(options.json ? line_of(summary.json()) : summary.words());
   opened.store_programs();
   opened.warn_of_cache();
+  if (const std::string note = opened.note(); !note.empty()) print_message("note: " + note);
   files.finish();
   return exit_done;
 }

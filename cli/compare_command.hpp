@@ -12,7 +12,7 @@ namespace morphcl::cli {
 
 struct CompareOptions {
   SceneOptions scene;
-  DeviceOptions device;
+  DeviceOptions device{.device = auto_name, .threads = 0};
   std::optional<std::int64_t> frame;  // one frame, or
   std::optional<std::string> frames;  // a range; the first of the shot's range when both are absent
   std::string truth = "both";         // grid, true or both

@@ -74,8 +74,8 @@ void add_error(Json& object, const std::string& what, const ErrorByCause& error)
                  {what + "_arithmetic_rms", error.arithmetic.rms()}});
 }
 
-std::string json(const char* type, const FrameDifference& d, const Differences& part) {
-  Json line = json_object(type, {{"frame", d.frame}, {"truth", accuracy::name_of(d.truth)}});
+std::string json(const char* type, const FrameDifference& d, const Differences& part, const std::string& drawn_by) {
+  Json line = json_object(type, {{"frame", d.frame}, {"truth", accuracy::name_of(d.truth)}, {"drawn_by", drawn_by}});
   if (&part != &d.total) line["object"] = part.name;
   line.update({{"pixels", part.pixels},
                {"outline", part.outline},
@@ -97,12 +97,13 @@ std::string json(const char* type, const FrameDifference& d, const Differences& 
 
 }  // namespace
 
-void print_difference_table(const FrameDifference& d) {
+void print_difference_table(const FrameDifference& d, const std::string& drawn_by) {
   const Differences& all = d.total;
-  print_result(fmt::format("frame {}, {}x{}, {}:", d.frame, d.width, d.height,
+  print_result(fmt::format("frame {}, {}x{}, {}, drawn by {}:", d.frame, d.width, d.height,
                            d.truth == accuracy::Truth::on_grid
                                ? "fp64 with vertices on the same 1/256 pixel grid (what rounding costs)"
-                               : "fp64 with vertices where they truly are (what the grid costs as well)"));
+                               : "fp64 with vertices where they truly are (what the grid costs as well)",
+                           drawn_by));
   print_result(fmt::format("  {} pixels show something; {} differ in outline, {} at inner edges, {} in depth order{}",
                            all.pixels, all.outline, all.edge, all.order,
                            all.order ? fmt::format(" (by at most {:.2g} of the distance)", all.widest_gap) : ""));
@@ -124,9 +125,9 @@ void print_difference_table(const FrameDifference& d) {
   if (d.objects.size() > 1) print_objects(d);
 }
 
-void print_difference_json(const FrameDifference& d) {
-  print_result(json("frame_error", d, d.total));
-  for (const Differences& object : d.objects) print_result(json("object_error", d, object));
+void print_difference_json(const FrameDifference& d, const std::string& drawn_by) {
+  print_result(json("frame_error", d, d.total, drawn_by));
+  for (const Differences& object : d.objects) print_result(json("object_error", d, object, drawn_by));
 }
 
 }  // namespace morphcl::cli

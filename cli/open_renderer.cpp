@@ -2,20 +2,38 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "cli/console.hpp"
+#include "cli/end_process.hpp"
 #include "cli/stop_signals.hpp"
-#include "morphcl/renderer.hpp"
+#include "host/thread_count.hpp"
 
 namespace morphcl::cli {
 
-OpenedRenderer open_renderer(const DeviceOptions& options) {
+namespace {
+
+OpenedRenderer open_reference(const DeviceOptions& options) {
   OpenedRenderer opened;
-  if (options.device == "reference") {
-    opened.renderer = make_reference_renderer();
-    opened.device_name = opened.renderer->name();
-    opened.threads = options.threads;
-    return opened;
-  }
+  opened.threads = choose_thread_count(options.threads);
+  opened.renderer = make_reference_renderer(opened.threads);
+  opened.device_name = opened.renderer->name();
+  return opened;
+}
+
+OpenedRenderer open_by_turns(const DeviceOptions& options) {
+  OpenedRenderer opened;
+  watch_driver_aborts();
+  opened.threads = choose_thread_count(options.threads);
+  std::unique_ptr<AutoRenderer> renderer = make_auto_renderer({.threads = options.threads, .cache_dir = ""});
+  opened.by_turns = renderer.get();
+  opened.device_name = renderer->name();
+  opened.renderer = std::move(renderer);
+  return opened;
+}
+
+OpenedRenderer open_device(const DeviceOptions& options) {
+  OpenedRenderer opened;
   watch_driver_aborts();
   opened.threads = prepare_process(options.threads);
   SessionOptions session;
@@ -32,14 +50,34 @@ OpenedRenderer open_renderer(const DeviceOptions& options) {
   return opened;
 }
 
+}  // namespace
+
+OpenedRenderer open_renderer(const DeviceOptions& options) {
+  if (options.device == reference_name) return open_reference(options);
+  if (options.device == auto_name) return open_by_turns(options);
+  return open_device(options);
+}
+
+OpenedRenderer::~OpenedRenderer() {
+  if (!renderer || by_turns == nullptr || !by_turns->is_preparing()) return;
+  leave_thread_at_work();
+  static_cast<void>(renderer.release());
+}
+
 void OpenedRenderer::store_programs() const {
   if (session) session->store_programs();
+  if (by_turns) by_turns->store_programs();
 }
 
 void OpenedRenderer::warn_of_cache() const {
-  const std::string trouble = session ? session->cache_trouble() : "";
+  const std::string trouble = session ? session->cache_trouble() : by_turns ? by_turns->cache_trouble() : "";
   if (!trouble.empty())
     print_message("warning: the compiled kernels are not kept, and every run compiles them anew: " + trouble);
+}
+
+std::string OpenedRenderer::note() const {
+  const std::string trouble = by_turns ? by_turns->note() : "";
+  return trouble.empty() ? "" : fmt::format("no device takes part, and the reference renderer draws: {}", trouble);
 }
 
 }  // namespace morphcl::cli

@@ -6,6 +6,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_object.hpp"
 #include "cli/table.hpp"
+#include "host/render/auto/first_situation.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/explain.hpp"
 #include "morphcl/scene.hpp"
@@ -27,7 +28,49 @@ std::optional<std::size_t> allocation_limit() try {
   return std::nullopt;
 }
 
-void print_json(const PlanReport& report, const std::string& exceeded) {
+// Who draws the frames of the shot with --device auto.
+struct Drawing {
+  Situation first;
+  Choice at_once, later;
+  std::size_t frames;
+};
+
+Drawing drawing_of(const Scene& scene, const Plan& plan) {
+  const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
+  const Situation first = first_situation(*plan, static_cast<std::int64_t>(frames.size()), {});
+  Situation later = first;
+  later.frames_drawn = 1;
+  return {first, choose(first), choose(later), frames.size()};
+}
+
+const char* choice_name(Choice choice) {
+  switch (choice) {
+    case Choice::reference:
+      return "reference";
+    case Choice::prepare:
+      return "by_turns";
+    case Choice::wait:
+    case Choice::device:
+      return "device";
+  }
+  return "";
+}
+
+std::string drawing_words(const Drawing& drawing) {
+  const Situation& first = drawing.first;
+  const std::string costs =
+      fmt::format("{:.3g} ms a frame by the reference, {:.3g} by the device, which is ready after {:.2g} s{}",
+                  1000 * first.reference_frame, 1000 * first.device_frame, first.preparing,
+                  first.compiles ? ", most of it for compiling" : "");
+  const char* const who = drawing.later == Choice::reference ? "the reference"
+                          : drawing.at_once == Choice::wait  ? "the device"
+                          : drawing.later == Choice::wait    ? "the reference the first one, then the device"
+                                                             : "the reference until the device is ready";
+  return fmt::format("with --device auto {} frame{} drawn by {} (about {})", drawing.frames,
+                     drawing.frames == 1 ? " is" : "s are", who, costs);
+}
+
+void print_json(const PlanReport& report, const std::string& exceeded, const Drawing& drawing) {
   for (const PlanNote& note : report.notes)
     print_result(line_of(json_object("plan", {{"frame", report.plan.frame()},
                                               {"item", note.item},
@@ -41,10 +84,16 @@ void print_json(const PlanReport& report, const std::string& exceeded) {
                                                   {"vertex_bytes", report.memory.vertices},
                                                   {"bin_bytes", report.memory.bins},
                                                   {"pixel_bytes", report.memory.pixels},
-                                                  {"exceeds_device", exceeded}})));
+                                                  {"exceeds_device", exceeded},
+                                                  {"drawn_by", choice_name(drawing.later)},
+                                                  {"first_drawn_by", choice_name(drawing.at_once)},
+                                                  {"reference_ms", 1000 * drawing.first.reference_frame},
+                                                  {"device_ms", 1000 * drawing.first.device_frame},
+                                                  {"preparing_seconds", drawing.first.preparing},
+                                                  {"compiles", drawing.first.compiles}})));
 }
 
-void print_table(const Scene& scene, const PlanReport& report, const std::string& exceeded) {
+void print_table(const Scene& scene, const PlanReport& report, const std::string& exceeded, const Drawing& drawing) {
   print_result(fmt::format("{} frame {}, {}x{}: about {:.2f} ms to draw (an estimate; shares are of it)",
                            printable(scene.name), report.plan.frame(), report.plan.width(), report.plan.height(),
                            report.milliseconds));
@@ -64,6 +113,7 @@ void print_table(const Scene& scene, const PlanReport& report, const std::string
                   mebibytes(need.device()), mebibytes(need.meshes), mebibytes(need.vertices), mebibytes(need.bins),
                   mebibytes(need.pixels)));
   if (!exceeded.empty()) print_result("too large: " + exceeded);
+  print_result(drawing_words(drawing));
 }
 
 }  // namespace
@@ -74,11 +124,12 @@ int plan_command(const PlanOptions& options) {
   const morphcl::PlanOptions what{.leave_out = options.leave_out};
   const PlanReport report = explain(Planner(scene, what), frame);
   const std::optional<std::size_t> limit = allocation_limit();
+  const Drawing drawing = drawing_of(scene, report.plan);
   const std::string exceeded = limit ? exceeded_limit(report.memory, *limit) : "";
   if (options.json)
-    print_json(report, exceeded);
+    print_json(report, exceeded, drawing);
   else
-    print_table(scene, report, exceeded);
+    print_table(scene, report, exceeded, drawing);
   return exit_done;
 }
 

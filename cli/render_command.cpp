@@ -92,14 +92,14 @@ int render_command(const RenderOptions& options) {
   job.on_frame = [&](const FrameResult& result) {
     report.frame(result);
     in_work.reported(result);
-    if (result.status == FrameResult::Status::rendered && !programs_stored.valid())
+    if (opened.session && result.status == FrameResult::Status::rendered && !programs_stored.valid())
       programs_stored = start_storing_programs(opened);
   };
   const JobResult result = run(job, scene, *opened.renderer);
   stop_plan.reset();  // what there is to say of an interruption is said now
-  const int code = report.finish(result);
-  if (programs_stored.valid() && !result.interrupted) {
-    programs_stored.wait();
+  const int code = report.finish(result, opened.note());
+  if (!result.interrupted) {
+    if (programs_stored.valid()) programs_stored.wait();
     opened.store_programs();  // of stages that no earlier frame needed; costs nothing when there are none
     opened.warn_of_cache();
   }

@@ -11,7 +11,7 @@ namespace morphcl::cli {
 
 struct RenderOptions {
   SceneOptions scene;
-  DeviceOptions device;
+  DeviceOptions device{.device = auto_name, .threads = 0};
   std::optional<std::string> pattern;   // absent: NAME.####.exr
   std::optional<std::string> png_bits;  // "8", "16"; absent: 8
   std::optional<std::string> frames;    // absent: the shot's range

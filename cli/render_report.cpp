@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
@@ -53,6 +54,19 @@ std::string reason_of(const std::string& error) {
   return colon == std::string::npos ? error : error.substr(colon + 2);
 }
 
+// In the order of their first frames.
+std::vector<std::pair<std::string, std::vector<std::int64_t>>> frames_by_renderer(const JobResult& result) {
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> by_renderer;
+  for (const FrameResult& frame : result.frames) {
+    if (frame.status != Status::rendered) continue;
+    auto found = std::find_if(by_renderer.begin(), by_renderer.end(),
+                              [&frame](const auto& entry) { return entry.first == frame.drawn_by; });
+    if (found == by_renderer.end()) found = by_renderer.insert(found, {frame.drawn_by, std::vector<std::int64_t>()});
+    found->second.push_back(frame.frame);
+  }
+  return by_renderer;
+}
+
 std::size_t count_of(const JobResult& result, Status status) {
   const auto is = [status](const FrameResult& frame) { return frame.status == status; };
   return static_cast<std::size_t>(std::count_if(result.frames.begin(), result.frames.end(), is));
@@ -67,6 +81,15 @@ std::size_t replaced_frames(const JobResult& result) {
 std::string interrupted_words(std::size_t whole, std::size_t total) {
   if (total == 0) return "interrupted before the first frame; run the same command again";
   return fmt::format("interrupted after {} of {} frames; run the same command with --resume to go on", whole, total);
+}
+
+std::string drawn_by_words(const JobResult& result) {
+  const auto by_renderer = frames_by_renderer(result);
+  if (by_renderer.size() == 1) return by_renderer.front().first;
+  std::string words;
+  for (const auto& [name, frames] : by_renderer)
+    words += fmt::format("{}{} ({})", words.empty() ? "" : ", ", name, frame_ranges(frames));
+  return words;
 }
 
 std::string frame_ranges(const std::vector<std::int64_t>& frames) {
@@ -124,6 +147,7 @@ void RenderReport::print_frame(const FrameResult& result) const {
     frame.update({{"error", result.error}, {"code", result.error_code}});
   else
     frame.update({{"hash", result.hash}, {"milliseconds", result.milliseconds}, {"replaced", result.replaced}});
+  if (result.status == Status::rendered) frame["drawn_by"] = result.drawn_by;
   print_result(line_of(frame));
 }
 
@@ -143,22 +167,25 @@ void RenderReport::report_lost(const JobResult& result) {
     print_message(fmt::format("frames {}: {}", frame_ranges(lost), first->error));
 }
 
-int RenderReport::finish(const JobResult& result) {
+int RenderReport::finish(const JobResult& result, const std::string& note) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   bar_.close();
   report_lost(result);
-  summary(result, elapsed.count());
+  summary(result, note, elapsed.count());
+  if (!note.empty() && !settings_.quiet) print_message("note: " + note);
   if (result.interrupted)
     print_message(interrupted_words(result.frames.size() - count_of(result, Status::failed), total_));
   return exit_code(result);
 }
 
-void RenderReport::summary(const JobResult& result, double seconds) const {
+void RenderReport::summary(const JobResult& result, const std::string& note, double seconds) const {
   const std::size_t rendered = count_of(result, Status::rendered), copied = count_of(result, Status::copied);
   const std::size_t kept = count_of(result, Status::kept), failed = count_of(result, Status::failed);
   const std::size_t replaced = replaced_frames(result);
   const double speed = seconds > 0 ? static_cast<double>(rendered + copied) / seconds : 0.0;
   if (settings_.json) {
+    Json drawn_by = Json::object();
+    for (const auto& [name, frames] : frames_by_renderer(result)) drawn_by[name] = frames.size();
     print_result(line_of(json_object("summary", {{"device", settings_.device},
                                                  {"total", total_},
                                                  {"rendered", rendered},
@@ -169,7 +196,9 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
                                                  {"interrupted", result.interrupted},
                                                  {"seconds", seconds},
                                                  {"frames_per_second", speed},
-                                                 {"code", exit_code(result)}})));
+                                                 {"code", exit_code(result)},
+                                                 {"drawn_by", drawn_by},
+                                                 {"note", note}})));
     return;
   }
   if (settings_.quiet || rendered + copied + kept == 0) return;
@@ -182,7 +211,8 @@ void RenderReport::summary(const JobResult& result, double seconds) const {
     line += fmt::format(" ({} in place of files that were damaged or not of this shot and these settings)", replaced);
   if (kept > 0) line += fmt::format(", {} kept", kept);
   if (failed > 0) line += fmt::format(", {} failed ({})", failed, frame_ranges(frames_of(result, Status::failed)));
-  line += fmt::format(" on {} in {:.2f} s", settings_.device, seconds);
+  if (const std::string who = drawn_by_words(result); !who.empty()) line += " on " + who;
+  line += fmt::format(" in {:.2f} s", seconds);
   if (rendered + copied > 0) line += fmt::format(" ({:.1f} frames/s)", speed);
   line += ": " + first->path;
   if (first->frame != last->frame) line += " to " + last->path;

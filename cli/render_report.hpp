@@ -29,13 +29,14 @@ class RenderReport {
   // stderr, and those that follow for the same reason none: finish() counts them.
   void frame(const FrameResult& result);
 
-  // The closing line or object on stdout, and the message of an interrupted job on stderr. Returns the exit code.
-  int finish(const JobResult& result);
+  // The closing line or object on stdout, and on stderr the message of an interrupted job and `note`, unless it is "":
+  // what is to be said of who drew. Returns the exit code.
+  int finish(const JobResult& result, const std::string& note);
 
  private:
   void report_lost(const JobResult& result);
   void print_frame(const FrameResult& result) const;
-  void summary(const JobResult& result, double seconds) const;
+  void summary(const JobResult& result, const std::string& note, double seconds) const;
 
   std::size_t total_;
   Settings settings_;
@@ -47,6 +48,9 @@ class RenderReport {
 
 // What a job that is stopped says: "interrupted after 3 of 101 frames; ...". `total` is 0 while the scene is loaded.
 std::string interrupted_words(std::size_t whole, std::size_t total);
+
+// Who drew the frames of a job: "reference", or "reference (0-37), DEVICE (38-99)". "" when none was drawn.
+std::string drawn_by_words(const JobResult& result);
 
 // "0-38, 40"
 std::string frame_ranges(const std::vector<std::int64_t>& frames);

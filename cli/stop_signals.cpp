@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "cli/console.hpp"
+#include "cli/end_process.hpp"
 #include "cli/exit_code.hpp"
-#include "host/leftovers.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl::cli {
@@ -76,11 +76,6 @@ void install_handlers(const sigset_t& set) {
   for (const int number : {SIGTERM, SIGINT, SIGUSR1, SIGHUP})
     if (sigismember(&set, number) == 1) sigaction(number, &action, nullptr);
   for (const int number : {SIGPIPE, SIGXFSZ}) signal(number, SIG_IGN);
-}
-
-[[noreturn]] void end_process(int code) {
-  remove_leftovers();
-  _exit(code);
 }
 
 [[noreturn]] void end_after_abort() {

@@ -13,10 +13,11 @@
 namespace morphcl::cli {
 
 int warm_command(const DeviceOptions& options) {
-  if (options.device == "reference")
+  if (options.device == reference_name)
     throw Error(ErrorKind::usage, "--device", "the reference renderer compiles nothing; an OpenCL device");
   const auto start = std::chrono::steady_clock::now();
-  const OpenedRenderer opened = open_renderer(options);
+  // What the auto renderer lets draw is the default device.
+  const OpenedRenderer opened = open_renderer({options.device == auto_name ? "" : options.device, options.threads});
   for (const Scene& scene : warm_scenes()) {
     FrameBuffer frame(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
     opened.renderer->render(plan_frame(scene, 0), frame);

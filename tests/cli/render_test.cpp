@@ -122,7 +122,7 @@ TEST_F(Render, ResumeKeepsWholeFramesAndMakesTheOthersAgain) {
 
 TEST_F(Render, TheClosingLineOfAResumedJobSaysWhatWasKeptAndWhatWasReplaced) {
   render({});
-  EXPECT_THAT(render({"--resume"}).out, MatchesRegex("0 frames rendered, 5 kept on [^(]* s: .*\n"));
+  EXPECT_THAT(render({"--resume"}).out, MatchesRegex("0 frames rendered, 5 kept in [^(]* s: .*\n"));
   std::filesystem::resize_file(folder_ / "shot.0002.exr", 100);
   std::filesystem::remove(folder_ / "shot.0003.exr");
   EXPECT_THAT(render({"--resume"}).out,

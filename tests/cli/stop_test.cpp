@@ -74,8 +74,8 @@ TEST_F(Stop, EachSignalEndsTheJobAfterTheCurrentFramesAndResumeGoesOn) {
 TEST_F(Stop, EachSignalIsHeardByAJobOnADevice) {
   for (int number : {SIGUSR1, SIGTERM, SIGINT, SIGHUP}) {
     const std::string folder = path(std::to_string(number));
-    test_support::ChildProcess process(
-        tool_command({"render", path("shot.toml"), "--frames", "0-200000", "-o", folder + "/shot.######.exr"}));
+    test_support::ChildProcess process(tool_command(
+        {"render", path("shot.toml"), "--frames", "0-200000", "-o", folder + "/shot.######.exr", "--device", "0"}));
     while (files_ending_in(".exr") < enough_files) ASSERT_TRUE(process.runs()) << process.err();
     process.signal(number);
     const ToolResult result = process.finish();
@@ -132,9 +132,9 @@ TEST_F(Stop, ASecondSignalEndsTheProcessAtOnce) {
 // PoCL's folder, and what is on its way to the disk.
 TEST_F(Stop, ASecondSignalLeavesNothingBehindInAJobOnADevice) {
   std::filesystem::create_directory(folder_ / "temporary");
-  test_support::ChildProcess process(
-      tool_command({"render", path("shot.toml"), "--frames", "0-200000", "-o", path("out/f.######.exr")}),
-      {.environment = {{"TMPDIR", path("temporary")}}});
+  test_support::ChildProcess process(tool_command({"render", path("shot.toml"), "--frames", "0-200000", "-o",
+                                                   path("out/f.######.exr"), "--device", "0"}),
+                                     {.environment = {{"TMPDIR", path("temporary")}}});
   while (files_ending_in(".exr") < enough_files) ASSERT_TRUE(process.runs()) << process.err();
   EXPECT_FALSE(std::filesystem::is_empty(folder_ / "temporary"));
   process.signal(SIGTERM);
