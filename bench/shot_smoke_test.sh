@@ -8,7 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 
 options=("$scene" --frames 3 --size 160x120)
 "$shot" "${options[@]}" >"$folder/scene.toml"
-"$tool" render "$folder/scene.toml" --frames 2 --quiet -o "$folder/frame.####.exr"
+"$tool" render "$folder/scene.toml" --frames 2 --device 0 --quiet -o "$folder/frame.####.exr"
 covered() { grep -oE '"covered": ?[0-9]+' | grep -oE '[0-9]+'; }
 drawn=$("$draw" "${options[@]}" | covered)
 written=$("$picture" "$folder/frame.0002.exr" | covered)

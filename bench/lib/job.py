@@ -24,7 +24,7 @@ def variants(programs, folder, scene, frames, options):
 
     def tool(name, channels):
         return [[programs["tool"], "render", shot, "-o", folder / name / "frame.####.exr", "--channels", channels,
-                 "--compression", "zip", "--threads", options.threads, "--json", "--quiet"]]
+                 "--compression", "zip", "--threads", options.threads, "--device", 0, "--json", "--quiet"]]
     commands = {"morphcl": tool("morphcl", "RGBA"), "morphcl with Z": tool("morphcl with Z", "RGBA,Z")}
     if "llvmpipe" in programs.paths:
         commands["llvmpipe"] = [[programs["llvmpipe"], scene, "--frames", frames, "--threads", 1, "--out",

@@ -24,7 +24,7 @@ class Growth:
 def peak(programs, shot, folder, environment, threads):
     """MB, of a run that writes two frames."""
     return processes.watch([[programs["tool"], "render", shot, "-o", folder / "frame.####.exr", "--frames", "0-1",
-                             "--threads", threads, "--json", "--quiet"]], environment).peak_megabytes
+                             "--threads", threads, "--device", 0, "--json", "--quiet"]], environment).peak_megabytes
 
 
 def measure(programs, folder, environment, options):

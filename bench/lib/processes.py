@@ -43,25 +43,33 @@ class Watched:
     """Times in seconds from before the first process was started."""
     frames: list  # (time, path) of each file, in the order they were complete
     reports: list  # other lines of JSON, such as the closing report of each process
+    drawn_by: list  # which renderer drew each of them, as far as it is said: the tool does for those it did not copy
     seconds: float  # until the last process had ended
     peak_megabytes: float  # the largest resident size, all processes together
 
 
+def is_on_device(command):
+    words = [str(part) for part in command]
+    return "--device" in words and words[words.index("--device") + 1].isdigit()
+
+
 def watch(commands, environment=None):
     """Runs commands at the same time that print a line of JSON {"frame": ..., "path": ...} when a file is complete,
-    each in one write, as they share a pipe. Any failure ends this process."""
+    each in one write, as they share a pipe. Any failure ends this process, and so does a command that names a device by
+    its number where the reference draws in its place."""
     reading, writing = os.pipe()
     with tempfile.TemporaryFile(mode="w+") as errors:
         start = time.monotonic()
         processes = [subprocess.Popen([str(part) for part in command], stdout=writing, stderr=errors,
                                       env={**os.environ, **(environment or {})}) for command in commands]
         os.close(writing)
-        frames, reports = [], []
+        frames, drawn_by, reports = [], [], []
         with os.fdopen(reading) as lines:
             for line in lines:
                 now, values = time.monotonic() - start, json.loads(line)
                 if "frame" in values:
                     frames.append((now, values.get("path")))
+                    drawn_by += [values["drawn_by"]] if "drawn_by" in values else []
                 else:
                     reports.append(values)
         peak_kilobytes = 0
@@ -74,4 +82,6 @@ def watch(commands, environment=None):
         for process, command in zip(processes, commands):
             if process.returncode != 0:
                 sys.exit(f"{command[0]}: {errors.read().strip() or f'exit status {process.returncode}'}")
-    return Watched(frames, reports, seconds, peak_kilobytes / 1024)
+    if any(is_on_device(command) for command in commands) and "reference" in drawn_by:
+        sys.exit(f"{commands[0][0]}: a frame was not drawn by the device that is named")
+    return Watched(frames, reports, drawn_by, seconds, peak_kilobytes / 1024)

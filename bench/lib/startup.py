@@ -21,7 +21,7 @@ def commands(programs, folder, options):
     for scene in SCENES:
         shot = shots.write(programs, folder, scene, frames=24)
         made["morphcl", scene] = [programs["tool"], "render", shot, "-o", folder / "frame.####.exr", "--frames", "0",
-                                  "--threads", options.threads, "--json", "--quiet"]
+                                  "--threads", options.threads, "--device", 0, "--json", "--quiet"]
         if "llvmpipe" in programs.paths:
             made["llvmpipe", scene] = [programs["llvmpipe"], scene, "--frames", 1, "--out", folder, "--threads",
                                        options.threads, "--zip-level", 1]

@@ -41,6 +41,17 @@ class Processes(unittest.TestCase):
         self.assertGreaterEqual(watched.seconds, times[-1] + 0.05)
         self.assertEqual(watched.reports, [{"done": 1}, {"done": 1}])
         self.assertGreater(watched.peak_megabytes, 2)
+        self.assertEqual(watched.drawn_by, [])
+
+    def test_a_named_device_has_to_draw_all(self):
+        line = '{"frame": 1, "path": "p", "drawn_by": "%s"}'
+        for renderer, device, right in (("cpu", "0", True), ("reference", "auto", True), ("reference", "0", False)):
+            command = [sys.executable, "-c", f"print('{line % renderer}')", "--device", device]
+            if right:
+                self.assertEqual(processes.watch([command]).drawn_by, [renderer])
+            else:
+                with self.assertRaisesRegex(SystemExit, "not drawn by the device"):
+                    processes.watch([command])
 
     def test_what_a_failing_program_says_ends_the_run(self):
         with self.assertRaisesRegex(SystemExit, "went wrong"):
