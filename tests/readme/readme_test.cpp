@@ -1,4 +1,4 @@
-// What the README shows is what the repository holds.
+// What the README and the first shot show is what the repository holds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,13 +39,36 @@ TEST(Readme, EveryFileAndFolderThatItLinksToExists) {
   for (auto match = first; match != last; ++match) EXPECT_TRUE(fs::exists(root / (*match)[1].str())) << (*match)[1];
 }
 
-TEST(Readme, ThePictureIsSmall) { EXPECT_LT(fs::file_size(root / "docs/pyramid_to_cube.png"), 300'000u); }
+TEST(Readme, ThePictureIsSmall) { EXPECT_LT(fs::file_size(root / "docs/overview.png"), 300'000u); }
 
 TEST(Readme, EveryShotThatItNamesExists) {
   const std::string readme = text_of(root / "README.md");
   const std::regex shot(R"(demos/[a-z_]+\.toml)");
   for (std::sregex_iterator match(readme.begin(), readme.end(), shot), last; match != last; ++match)
     EXPECT_TRUE(fs::exists(root / match->str())) << match->str();
+}
+
+// docs/first-shot.md: what a step shows of its file is in it, and what the page links to is there.
+TEST(FirstShot, ShowsWhatItsFilesHold) {
+  const std::string page = text_of(root / "docs/first-shot.md");
+  const std::regex part(R"(\n## ([1-5])\. |```toml\n([^`]+)```|\]\(([^)#:]+)\))");
+  std::string file;
+  int steps = 0, blocks = 0, links = 0;
+  for (std::sregex_iterator match(page.begin(), page.end(), part), last; match != last; ++match) {
+    if ((*match)[1].matched) {
+      file = text_of(root / "docs/first-shot" / ((*match)[1].str() + ".toml"));
+      ++steps;
+    } else if ((*match)[2].matched) {
+      EXPECT_NE(file.find((*match)[2].str()), std::string::npos) << "not in its file:\n" << (*match)[2];
+      ++blocks;
+    } else {
+      EXPECT_TRUE(fs::exists(root / "docs" / (*match)[3].str())) << (*match)[3];
+      ++links;
+    }
+  }
+  EXPECT_EQ(steps, 5);
+  EXPECT_GE(blocks, 5);
+  EXPECT_GE(links, 5);
 }
 
 }  // namespace
