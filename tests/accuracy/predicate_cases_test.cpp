@@ -48,13 +48,13 @@ TEST(ExtremeCase, EdgeFunctions) {
   constexpr int edge = 16384 * 256;
   for (int i = 0; i < 20'000; ++i) {
     const auto any = [&] {
-      return glm::ivec2(static_cast<int>(random.integer_in(0, edge)), static_cast<int>(random.integer_in(0, edge)));
+      return glm::ivec2{static_cast<int>(random.integer_in(0, edge)), static_cast<int>(random.integer_in(0, edge))};
     };
     const glm::ivec2 a = any(), b = any();
     const double t = random.in(0, 1);
     const glm::ivec2 near(glm::round(glm::dvec2(a) + t * glm::dvec2(b - a)));
     add(a, b,
-        near + glm::ivec2(static_cast<int>(random.integer_in(-2, 2)), static_cast<int>(random.integer_in(-2, 2))));
+        near + glm::ivec2{static_cast<int>(random.integer_in(-2, 2)), static_cast<int>(random.integer_in(-2, 2))});
   }
   expect_demand(stable, products);
   expect_demand(stable, coefficients);
@@ -65,7 +65,7 @@ TEST(ExtremeCase, OrientationNextToALineAndAPlane) {
   Random random(9);
   Worst stable, naive_form;
   for (int i = 0; i < 5000; ++i) {
-    const auto any = [&] { return glm::dvec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)); };
+    const auto any = [&] { return random.vector(1); };
     const glm::dvec3 a = any(), b = any(), c = any();
     const double s = random.in(-2, 2), t = random.in(-2, 2);
     glm::dvec3 d = a + s * (b - a) + t * (c - a);
@@ -116,7 +116,7 @@ TEST(ExtremeCase, PointInPolygon) {
       const glm::vec2 a = polygon[corner], b = polygon[(corner + 1) % polygon.size()];
       const double t = i % 10 == 0 ? 0 : random.in(0, 1), off = i % 3 == 0 ? 0 : 1e-4;
       const glm::vec2 point(glm::dvec2(a) + t * glm::dvec2(b - a) +
-                            glm::dvec2(random.in(-off, off), random.in(-off, off)));
+                            glm::dvec2{random.in(-off, off), random.in(-off, off)});
       const PointPlace exact = exact_place(polygon, point);
       stable.add_exact(place_in_polygon(exact_polygon, point) == exact);
       naive_form.add_exact(exact == PointPlace::boundary ||

@@ -165,7 +165,7 @@ TEST(ExtremeCase, TenThousandRotations) {
   std::vector<glm::dmat4> factors;
   glm::mat3 product(1.0f);
   for (int i = 0; i < count; ++i) {
-    const glm::dvec3 axis(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+    const glm::dvec3 axis = random.vector(1);
     const double degrees = random.in(-180, 180);
     transform.rotate_about_axis({0, 0, 0}, axis, degrees);
     factors.push_back(transform.steps().back().matrix);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <regex>
 
 #include "tests/support/temporary_folder.hpp"
@@ -31,6 +32,7 @@ std::string code_of(const std::string& text) {
     } else if (text.compare(at, 3, "R\"(") == 0) {
       end = text.find(")\"", at);
       blank(at, end);
+      if (end != std::string::npos) ++end;
     } else if (c == '"' || (c == '\'' && (at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0))) {
       for (end = at + 1; end < text.size() && text[end] != c; ++end)
         if (text[end] == '\\') ++end;
@@ -52,6 +54,8 @@ std::size_t past_closing(const std::string& code, std::size_t open, char opening
   return code.size();
 }
 
+const std::string random_engine = "*";  // an object's name that no code has
+
 struct Call {
   std::string object, function;
   std::size_t start, end;  // of the whole call, its arguments included
@@ -65,16 +69,34 @@ std::size_t name_before(const std::string& code, std::size_t end) {
   return end;
 }
 
+// What draws random numbers in this code: engines and distributions of the standard library, by name.
+std::set<std::string> drawing_names(const std::string& code) {
+  static const std::regex declaration(
+      R"((?:mt19937(?:_64)?|_distribution<[\w ]+>)&? ((?:[^;(){}]|\([^()]*\)|\{[^{}]*\})*))");
+  static const std::regex declarator(R"((\w+)(?:\([^()]*\)|\{[^{}]*\})?(?:,|$))");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(code.begin(), code.end(), declaration), end; at != end; ++at) {
+    const std::string declarators = (*at)[1];
+    for (std::sregex_iterator name(declarators.begin(), declarators.end(), declarator); name != end; ++name)
+      names.insert((*name)[1]);
+  }
+  return names;
+}
+
+// Names that are called without an object, and the object that such a call changes: a local lambda itself, and for all
+// that draws random numbers one engine, which stands for all.
+using ChangingNames = std::map<std::string, std::string>;
+
 // "object.function(" and "object->function(", or "function(" alone.
 std::vector<Call> changing_calls(const std::string& code, const std::set<std::string>& members,
-                                 const std::set<std::string>& lambdas) {
+                                 const ChangingNames& names) {
   std::vector<Call> calls;
   for (std::size_t open = code.find('('); open != std::string::npos; open = code.find('(', open + 1)) {
     std::size_t start = name_before(code, open);
     const std::string function = code.substr(start, open - start);
-    const bool is_member = members.count(function) > 0, is_lambda = lambdas.count(function) > 0;
-    if (!is_member && !is_lambda) continue;
-    std::string object = is_lambda ? function : "this";
+    const auto name = names.find(function);
+    if (name == names.end() && members.count(function) == 0) continue;
+    std::string object = name != names.end() ? name->second : "this";
     const auto follows = [&](const std::string& text) {
       return start >= text.size() && code.compare(start - text.size(), text.size(), text) == 0;
     };
@@ -120,15 +142,16 @@ bool has_outer_comma(const std::string& code, std::size_t from, std::size_t to) 
   return false;
 }
 
-std::set<std::string> changing_lambdas(const std::string& code, const std::set<std::string>& members) {
+ChangingNames changing_names(const std::string& code, const std::set<std::string>& members) {
   static const std::regex lambda(R"(auto\s+(\w+)\s*=\s*\[&)");
-  std::set<std::string> names;
+  ChangingNames names;
+  for (const std::string& name : drawing_names(code)) names[name] = random_engine;
   for (std::sregex_iterator at(code.begin(), code.end(), lambda), end; at != end; ++at) {
     const std::size_t open = code.find('{', static_cast<std::size_t>(at->position(0)));
     if (open == std::string::npos) continue;
     const std::string body = code.substr(open, past_closing(code, open, '{', '}') - open);
     for (const Call& call : changing_calls(body, members, names))
-      if (call.object != "this") names.insert((*at)[1]);
+      if (call.object != "this") names[(*at)[1]] = call.object == random_engine ? call.object : (*at)[1].str();
   }
   return names;
 }
@@ -154,6 +177,21 @@ std::vector<std::string> class_bodies(const std::string& code) {
   return bodies;
 }
 
+std::vector<fs::path> sources_below(const fs::path& root, const std::vector<std::string>& places) {
+  std::vector<fs::path> files;
+  const auto add = [&files](const fs::path& path) {
+    if (path.extension() == ".cpp" || path.extension() == ".hpp") files.push_back(path);
+  };
+  for (const std::string& place : places) {
+    if (fs::is_directory(root / place))
+      for (const auto& entry : fs::recursive_directory_iterator(root / place)) add(entry.path());
+    else
+      add(root / place);
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 }  // namespace
 
 std::set<std::string> changing_members(const std::vector<std::string>& texts) {
@@ -177,7 +215,7 @@ std::vector<std::string> unordered_calls(const std::string& name, const std::str
                                          std::set<std::string> members) {
   const std::string code = code_of(text);
   members.merge(changing_members({text}));  // elsewhere another class may have a constant one of the same name
-  const std::vector<Call> calls = changing_calls(code, members, changing_lambdas(code, members));
+  const std::vector<Call> calls = changing_calls(code, members, changing_names(code, members));
   std::vector<std::string> found;
   for (std::size_t i = 0; i < calls.size(); ++i)
     for (std::size_t j = i + 1; j < calls.size() && code.find(';', calls[i].end) > calls[j].start; ++j) {
@@ -185,24 +223,20 @@ std::vector<std::string> unordered_calls(const std::string& name, const std::str
       if (a.object != b.object || b.start < a.end) continue;
       if (is_ordered(code.substr(a.end, b.start - a.end)) || has_outer_comma(code, a.end, b.start)) continue;
       const auto line = std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(b.start), '\n') + 1;
-      const std::string of = a.object == a.function ? "" : a.object + ".";
+      const std::string of = a.object == a.function || a.object == random_engine ? "" : a.object + ".";
       found.push_back(name + ":" + std::to_string(line) + ": " + of + a.function + " and " + of + b.function);
     }
   return found;
 }
 
-std::vector<std::string> unordered_calls_below(const fs::path& root, const std::vector<std::string>& folders) {
-  std::vector<fs::path> files;
-  for (const std::string& folder : folders)
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-      if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+std::vector<std::string> unordered_calls_below(const fs::path& root, const std::vector<std::string>& folders,
+                                               const std::vector<std::string>& classes) {
   std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(test_support::text_of(file));
+  for (const fs::path& file : sources_below(root, classes)) texts.push_back(test_support::text_of(file));
   const std::set<std::string> members = changing_members(texts);
   std::vector<std::string> found;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    for (std::string& line : unordered_calls(fs::relative(files[i], root).string(), texts[i], members))
+  for (const fs::path& file : sources_below(root, folders))
+    for (std::string& line : unordered_calls(fs::relative(file, root).string(), test_support::text_of(file), members))
       found.push_back(std::move(line));
   return found;
 }

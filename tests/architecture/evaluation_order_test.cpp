@@ -11,7 +11,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 TEST(EvaluationOrder, NoValueOfTheLibraryOrTheToolDependsOnIt) {
-  EXPECT_THAT(unordered_calls_below(MORPHCL_SOURCE_DIR, {"include", "host", "anim", "lab", "cli", "demos"}), IsEmpty());
+  const std::vector<std::string> folders = {"include", "host", "anim", "lab", "cli", "demos"};
+  EXPECT_THAT(unordered_calls_below(MORPHCL_SOURCE_DIR, folders, folders), IsEmpty());
+}
+
+// Bounds and hashes of a test hold for the numbers that it draws.
+TEST(EvaluationOrder, NoRandomNumbersOfATestDependOnIt) {
+  EXPECT_THAT(unordered_calls_below(MORPHCL_SOURCE_DIR, {"tests", "bench"}, {"tests/support/random.hpp"}), IsEmpty());
 }
 
 const std::string dice = R"(class Dice {
@@ -44,6 +50,20 @@ TEST(EvaluationOrder, IsOpenBetweenArgumentsAndOperands) {
   EXPECT_THAT(found_in_member("return f(next(), in(1, 2))"), ElementsAre("x:7: this.next and this.in"));
   EXPECT_THAT(found("auto two = [&] { return dice.next(); };\nint a = f(two(), two());"),
               ElementsAre("x:10: two and two"));
+}
+
+TEST(EvaluationOrder, IsOpenBetweenRandomNumbers) {
+  const std::string engine =
+      "std::mt19937 engine(1);\nstd::uniform_real_distribution<float> unit(-1, 1), half{0, 0.5};\n";
+  EXPECT_THAT(found(engine + "f(engine(), engine());"), ElementsAre("x:11: engine and engine"));
+  EXPECT_THAT(found(engine + "glm::vec2 a(unit(engine), half(engine));"), ElementsAre("x:11: unit and half"));
+  EXPECT_THAT(found(engine + "const auto size = [&] { return 2 * half(engine); };\nf(size(), unit(engine));"),
+              ElementsAre("x:12: size and unit"));
+  EXPECT_THAT(found("float f(std::mt19937_64& random) { return g(random(), random()); }"),
+              ElementsAre("x:9: random and random"));
+  EXPECT_THAT(found(engine + "glm::vec2 a{unit(engine), half(engine)};"), IsEmpty());
+  EXPECT_THAT(found(engine + "const float y = unit(engine), x = half(engine);"), IsEmpty());
+  EXPECT_THAT(found("say(R\"(a)\");\nf(dice.next(), dice.next());"), ElementsAre("x:10: dice.next and dice.next"));
 }
 
 TEST(EvaluationOrder, IsGivenBySomeOperatorsAndByBraces) {

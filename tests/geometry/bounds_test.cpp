@@ -66,7 +66,7 @@ TEST(MorphBounds, AsksForOneWeightATarget) {
 // Random meshes with targets of both forms, some without positions.
 Mesh random_mesh(std::mt19937& random, int vertices) {
   std::uniform_real_distribution<float> coordinate(-10, 10);
-  const auto point = [&] { return glm::vec3(coordinate(random), coordinate(random), coordinate(random)); };
+  const auto point = [&] { return glm::vec3{coordinate(random), coordinate(random), coordinate(random)}; };
   Mesh mesh;
   for (int i = 0; i < vertices; ++i) mesh.positions.push_back(point());
   for (int t = 0; t < 5; ++t) {

@@ -39,7 +39,7 @@ TEST(Axonometric, RatiosAreKeptByTheForeshortening) {
   int possible = 0;
   for (int i = 0; i < 8000; ++i) {
     const double size = std::pow(10.0, random.in(-150, 150));
-    const glm::dvec3 r = size * glm::dvec3(random.in(0, 1), random.in(0, 1), random.in(0, 1));
+    const glm::dvec3 r = size * glm::dvec3{random.in(0, 1), random.in(0, 1), random.in(0, 1)};
     const glm::dvec3 s = (r / size) * (r / size);
     const double slack = std::min({s.y + s.z - s.x, s.x + s.z - s.y, s.x + s.y - s.z});
     if (slack < 0.01) continue;

@@ -86,17 +86,24 @@ TEST(CompositeTransform, InverseOfEachStepAndOfChains) {
   Random random(22);
   for (int i = 0; i < 300; ++i) {
     CompositeTransform t;
-    const auto factor = [&] { return std::copysign(random.in(0.25, 4), random.in(-1, 1)); };
+    const auto factor = [&] {
+      const double size = random.in(0.25, 4);
+      return std::copysign(size, random.in(-1, 1));
+    };
+    const auto shear_factor = [&] { return random.in(-0.4, 0.4); };
     t.translate(random.vector(10));
     expect_inverse(t);
     t.scale({factor(), factor(), factor()});
     expect_inverse(t);
-    t.rotate_about_axis(random.vector(5), random.vector(5), random.in(-360, 360));
+    const glm::dvec3 on_axis = random.vector(5), along_axis = random.vector(5);
+    t.rotate_about_axis(on_axis, along_axis, random.in(-360, 360));
     expect_inverse(t);
-    t.scale_about(random.vector(5), {factor(), factor(), factor()});
+    const glm::dvec3 middle = random.vector(5);
+    t.scale_about(middle, {factor(), factor(), factor()});
     expect_inverse(t);
     CompositeTransform sheared;
-    sheared.shear(random.in(-0.4, 0.4), random.in(-0.4, 0.4), 0.3, random.in(-0.4, 0.4), 0, random.in(-0.4, 0.4));
+    const double xy = shear_factor(), xz = shear_factor(), yz = shear_factor(), zy = shear_factor();
+    sheared.shear(xy, xz, 0.3, yz, 0, zy);
     sheared.rotate_y_degrees(random.in(-90, 90)).matrix_step(t.matrix());
     expect_inverse(sheared);
   }

@@ -32,7 +32,8 @@ TEST(Convention, ThereAndBackRestoresEachBit) {
     glm::dmat4 m;
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r) {
-        m[c][r] = i % 2 ? random.in(-1, 1) : std::pow(2.0, random.in(-60, 60)) * random.in(-1, 1);
+        m[c][r] = i % 2 ? 1 : std::pow(2.0, random.in(-60, 60));
+        m[c][r] *= random.in(-1, 1);
         if (random.in(0, 1) < 0.2) m[c][r] = random.in(0, 1) < 0.5 ? -0.0 : 0.0;
         if (random.in(0, 1) < 0.1) m[c][r] = -1;
       }

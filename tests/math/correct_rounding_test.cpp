@@ -119,7 +119,10 @@ TEST(HardArguments, ClosestToAMultipleOfARightAngle) {
 
 TEST(ArcTangent, OfVectorsOfAllSizes) {
   std::mt19937_64 engine(2);
-  const auto any = [&] { return std::bit_cast<double>((engine() & 0x800fffffffffffffu) | (engine() % 2047) << 52); };
+  const auto any = [&] {
+    const std::uint64_t sign_and_fraction = engine() & 0x800fffffffffffffu, exponent = engine() % 2047;
+    return std::bit_cast<double>(sign_and_fraction | exponent << 52);
+  };
   const auto unit = [&] { return std::ldexp(static_cast<double>(static_cast<std::int64_t>(engine())), -63); };
   for (int i = 0; i < 50'000; ++i) {
     const double y = i % 2 == 0 ? any() : unit(), x = i % 4 < 2 ? unit() : i % 3 == 0 ? any() : y * (1 + 1e-9 * unit());

@@ -63,7 +63,9 @@ TEST(RigidInverse, IsTheInverse) {
   Random random(32);
   for (int i = 0; i < 500; ++i) {
     CompositeTransform t;
-    t.rotate_about_axis(random.vector(3), random.vector(3), random.in(-180, 180)).translate(random.vector(100));
+    const glm::dvec3 on_axis = random.vector(3), along_axis = random.vector(3);
+    t.rotate_about_axis(on_axis, along_axis, random.in(-180, 180));
+    t.translate(random.vector(100));
     // The rotation is orthonormal within 2 * 16u an entry pair; the translation is up to 110 long.
     const glm::dmat4 identity = rigid_inverse(t.matrix()) * t.matrix();
     for (int c = 0; c < 4; ++c)

@@ -25,7 +25,8 @@ TEST(DifferenceOfProducts, NearlyCancellingWithinTwoUnits) {
   Random random(5);
   for (int i = 0; i < 5000; ++i) {
     const double a = random.in(1, 2), b = random.in(1, 2), c = random.in(1, 2);
-    const double d = a * b / c * (1 + std::ldexp(random.in(-1, 1), -static_cast<int>(random.in(0, 52))));
+    const double part = random.in(-1, 1);
+    const double d = a * b / c * (1 + std::ldexp(part, -static_cast<int>(random.in(0, 52))));
     EXPECT_TRUE(
         within_relative(difference_of_products(a, b, c, d), reference::difference_of_products(a, b, c, d), kahan_bound))
         << a << " * " << b << " - " << c << " * " << d;

@@ -35,7 +35,7 @@ TEST(Rotation, RandomAxesOfEveryLength) {
   for (int i = 0; i < 10000; ++i) {
     glm::dvec3 axis = random.vector(1);
     if (i % 3 == 1) axis = axis * std::pow(10.0, random.in(-30, 30));
-    if (i % 3 == 2) axis = axis * glm::dvec3(1, std::pow(10.0, random.in(-24, 0)), std::pow(10.0, random.in(-24, 0)));
+    if (i % 3 == 2) axis = axis * glm::dvec3{1, std::pow(10.0, random.in(-24, 0)), std::pow(10.0, random.in(-24, 0))};
     const double degrees = i % 5 == 0 ? random.in(-1e-4, 1e-4) : random.in(-720, 720);
     expect_rotation(axis, degrees, "axis " + std::to_string(i));
   }
@@ -160,7 +160,8 @@ TEST(Rotation, TenThousandFactors) {
   std::vector<glm::dmat4> factors;
   constexpr int count = 10000;
   for (int i = 0; i < count; ++i) {
-    chain.rotate_about_axis(glm::dvec3(0), random.vector(1), random.in(-180, 180));
+    const glm::dvec3 axis = random.vector(1);
+    chain.rotate_about_axis(glm::dvec3(0), axis, random.in(-180, 180));
     factors.push_back(chain.steps().back().matrix);
   }
   expect_affine(chain.matrix(), reference::product(factors), count * 4 * u64, 0, "product");

@@ -39,7 +39,7 @@ TEST(Transform2d, PointsStayThatAreScaledOrTurnedAbout) {
   EXPECT_EQ(apply(CompositeTransform2d().scale_about(far, {0.5, 4}).matrix(), far), far);
   Random random(181);
   for (int i = 0; i < 300; ++i) {
-    const glm::dvec2 point(random.in(-9, 9), random.in(-9, 9));
+    const glm::dvec2 point{random.in(-9, 9), random.in(-9, 9)};
     const double degrees = random.in(-720, 720);
     const glm::dmat3 m = CompositeTransform2d().rotate_about_degrees(point, degrees).matrix();
     // Entries within 16u64, three products of numbers up to 9.
@@ -50,8 +50,8 @@ TEST(Transform2d, PointsStayThatAreScaledOrTurnedAbout) {
 TEST(Transform2d, InverseUndoes) {
   Random random(182);
   for (int i = 0; i < 500; ++i) {
-    const glm::dmat3 m(random.in(-5, 5), random.in(-5, 5), 0, random.in(-5, 5), random.in(-5, 5), 0, random.in(-9, 9),
-                       random.in(-9, 9), 1);
+    const glm::dmat3 m{random.in(-5, 5), random.in(-5, 5), 0, random.in(-5, 5), random.in(-5, 5), 0,
+                       random.in(-9, 9), random.in(-9, 9), 1};
     const double determinant = m[0][0] * m[1][1] - m[1][0] * m[0][1];
     const glm::dmat3 product = affine_inverse(m) * m;
     for (int c = 0; c < 3; ++c)
@@ -80,7 +80,7 @@ TEST(Pipeline2d, NdcToPixelsIsTheViewports) {
   const Viewport viewport{10, 20, 640, 360};
   Random random(183);
   for (int i = 0; i < 300; ++i) {
-    const glm::dvec2 ndc(random.in(-1, 1), random.in(-1, 1));
+    const glm::dvec2 ndc{random.in(-1, 1), random.in(-1, 1)};
     expect_near(apply(ndc_to_pixels(viewport), ndc), viewport.to_pixels(ndc), 4 * 650 * u64, "pixel");
   }
   EXPECT_EQ(apply(ndc_to_pixels(viewport), {-1, 1}), glm::dvec2(10, 20));

@@ -54,7 +54,8 @@ TEST(VanishingPoints, AreWhereFarPointsAre) {
   for (int i = 0; i < 500; ++i) {
     const double left = random.in(-2, 1), bottom = random.in(-2, 1);
     const Frustum frustum{left, left + random.in(0.5, 2), bottom, bottom + random.in(0.5, 2), 1, 9};
-    const glm::dmat4 to_eye = look_at(random.vector(5), random.vector(5), random.vector(1)).world_to_eye;
+    const glm::dvec3 eye = random.vector(5), target = random.vector(5), up = random.vector(1);
+    const glm::dmat4 to_eye = look_at(eye, target, up).world_to_eye;
     const glm::dmat4 to_ndc = projection_matrix(frustum, 1) * to_eye;
     const VanishingPoints points = vanishing_points(frustum, 1, to_eye);
     for (int axis = 0; axis < 3; ++axis) {

@@ -25,7 +25,7 @@ TEST(Viewport, RoundTrip) {
   Random random(61);
   for (int i = 0; i < 1000; ++i) {
     const Viewport v{random.in(-100, 100), random.in(-100, 100), random.in(1, 16384), random.in(1, 16384)};
-    const glm::dvec2 ndc(random.in(-2, 2), random.in(-2, 2));
+    const glm::dvec2 ndc{random.in(-2, 2), random.in(-2, 2)};
     const glm::dvec2 back = v.to_ndc(v.to_pixels(ndc));
     // A pixel coordinate up to 100 + 1.5 size, rounded once each way, is divided by half the size.
     EXPECT_TRUE(within(back.x, ndc.x, 4 * u64 * (200 + 3 * v.width) / v.width + 2 * u64)) << i;

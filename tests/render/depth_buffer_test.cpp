@@ -183,9 +183,9 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
     Mesh mesh;
     for (unsigned t = 0; t < 60; ++t) {
       const float size = t % 3 ? 6.0f : 0.1f;
-      const glm::vec3 middle(3 * unit(random), 3 * unit(random), -10 - 9 * unit(random));
+      const glm::vec3 middle{3 * unit(random), 3 * unit(random), -10 - 9 * unit(random)};
       for (int i = 0; i < 3; ++i)
-        mesh.positions.push_back(middle + size * glm::vec3(unit(random), unit(random), 0.2f * unit(random)));
+        mesh.positions.push_back(middle + size * glm::vec3{unit(random), unit(random), 0.2f * unit(random)});
       mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
     SceneBuilder b(128, 128);

@@ -50,7 +50,8 @@ glm::dmat4 turned(std::mt19937& random, double scale = 1) {
   std::uniform_real_distribution<double> number(-1, 1);
   CompositeTransform turn;
   turn.scale(glm::dvec3(scale));
-  turn.rotate_about_axis({0, 0, 0}, {number(random), number(random), number(random) + 1.5}, 180 * number(random));
+  const glm::dvec3 axis{number(random), number(random), number(random) + 1.5};
+  turn.rotate_about_axis({0, 0, 0}, axis, 180 * number(random));
   turn.translate({0.3 * number(random), 0.3 * number(random), 0.3 * number(random)});
   return turn.matrix();
 }
@@ -102,7 +103,7 @@ TEST(SingleCover, IsNeverProvedWhereAPixelIsCoveredTwice) {
     }
     std::uniform_real_distribution<float> shake(-0.25f, 0.25f);
     if (trial % 2)
-      for (glm::vec3& p : mesh.positions) p += glm::vec3(shake(random), shake(random), shake(random));
+      for (glm::vec3& p : mesh.positions) p += glm::vec3{shake(random), shake(random), shake(random)};
     if (trial % 7 == 0) mesh.triangles.push_back(mesh.triangles[random() % mesh.triangles.size()]);
     if (trial % 11 == 0)
       mesh.triangles.erase(mesh.triangles.begin() + static_cast<int>(random() % mesh.triangles.size()));

@@ -94,8 +94,8 @@ Scene far_morph(const glm::dvec3& middle) {
   std::uniform_real_distribution<float> unit(-1, 1);
   MorphTarget delta{"delta", TargetForm::delta, {}, {}, {}}, absolute{"absolute", TargetForm::absolute, {}, {}, {}};
   for (const glm::vec3& p : mesh.positions) {
-    delta.positions.push_back(0.3f * glm::vec3(unit(random), unit(random), unit(random)));
-    absolute.positions.push_back(p + 0.5f * glm::vec3(unit(random), unit(random), unit(random)));
+    delta.positions.push_back(0.3f * glm::vec3{unit(random), unit(random), unit(random)});
+    absolute.positions.push_back(p + 0.5f * glm::vec3{unit(random), unit(random), unit(random)});
   }
   mesh.targets = {delta, absolute};
   scene.objects[0].morph.weights = {0.7, 0.4};

@@ -11,7 +11,7 @@ namespace {
 // No compiler knows what it reads here, nor may it keep a result unrounded.
 volatile double source = 0.7123;
 
-double number(int i) { return source * (i + 1); }
+double source_number(int i) { return source * (i + 1); }
 
 double rounded(double value) {
   volatile float stored = static_cast<float>(value);
@@ -21,18 +21,19 @@ double rounded(double value) {
 
 std::array<double, 8> numbers() {
   std::array<double, 8> values;
-  for (int i = 0; i < 8; ++i) values[static_cast<std::size_t>(i)] = number(i);
+  for (int i = 0; i < 8; ++i) values[static_cast<std::size_t>(i)] = source_number(i);
   return values;
 }
 
 // The first `count` of the numbers are rounded, the others are untouched.
 void expect_rounded(const std::array<double, 8>& values, int count) {
   for (int i = 0; i < 8; ++i)
-    EXPECT_EQ(values[static_cast<std::size_t>(i)], i < count ? rounded(number(i)) : number(i)) << "number " << i;
+    EXPECT_EQ(values[static_cast<std::size_t>(i)], i < count ? rounded(source_number(i)) : source_number(i))
+        << "number " << i;
 }
 
 TEST(Rounding, EveryNumberIsChangedByIt) {
-  for (int i = 0; i < 8; ++i) EXPECT_NE(rounded(number(i)), number(i)) << i;
+  for (int i = 0; i < 8; ++i) EXPECT_NE(rounded(source_number(i)), source_number(i)) << i;
 }
 
 TEST(Rounding, OfNeighboursIsKept) {
@@ -78,8 +79,8 @@ TEST(Rounding, LeavesARest) {
 
 TEST(Rounding, OfADirectionThatIsAddedIsKept) {
   glm::dvec3 sum(0.0);
-  add_stored(sum, {number(0), number(1), number(2)});
-  EXPECT_EQ(sum, glm::dvec3(rounded(number(0)), rounded(number(1)), rounded(number(2))));
+  add_stored(sum, {source_number(0), source_number(1), source_number(2)});
+  EXPECT_EQ(sum, glm::dvec3(rounded(source_number(0)), rounded(source_number(1)), rounded(source_number(2))));
 }
 
 }  // namespace

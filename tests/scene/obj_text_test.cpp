@@ -67,7 +67,8 @@ TEST(ObjNumber, IsRoundedToTheNearestFloat) {
       if (d == point) text += '.';
       text += static_cast<char>('0' + random() % 10);
     }
-    if (random() % 2) text.append("e").append(std::to_string(static_cast<int>(random() % 50) - 35));
+    const bool has_exponent = random() % 2 != 0;
+    if (has_exponent) text.append("e").append(std::to_string(static_cast<int>(random() % 50) - 35));
     expect_nearest(text);
   }
 }

@@ -100,7 +100,7 @@ Polygons random_polygons(unsigned seed, int count, int reach) {
   const auto any = [&] { return static_cast<int>(random() % static_cast<unsigned>(reach)) - reach / 8; };
   Polygons polygons;
   while (static_cast<int>(polygons.size()) < count) {
-    const glm::ivec3 a(any(), any(), any()), b(any(), any(), any()), c(any(), any(), any());
+    const glm::ivec3 a{any(), any(), any()}, b{any(), any(), any()}, c{any(), any(), any()};
     std::vector<glm::ivec3> corners = {a, b, c};
     if (random() % 3 == 0) corners = {a, b, b + c - a, c};
     if (random() % 5 == 0)
