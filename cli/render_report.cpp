@@ -205,7 +205,7 @@ void RenderReport::summary(const JobResult& result, const std::string& note, dou
   const auto whole = [](const FrameResult& frame) { return frame.status != Status::failed; };
   const auto first = std::find_if(result.frames.begin(), result.frames.end(), whole);
   const auto last = std::find_if(result.frames.rbegin(), result.frames.rend(), whole);
-  std::string line = fmt::format("{} frames rendered", rendered);
+  std::string line = fmt::format("{} frame{} rendered", rendered, rendered == 1 ? "" : "s");
   if (copied > 0) line += fmt::format(", {} copied", copied);
   if (replaced > 0)
     line += fmt::format(" ({} in place of files that were damaged or not of this shot and these settings)", replaced);

@@ -27,7 +27,7 @@ TEST_F(Png, IsRenderedResumedAndDescribed) {
   EXPECT_EQ(files_ending_in(".PNG"), 5u);
   std::filesystem::remove(folder_ / "f.03.PNG");
   result = render(cube_shot(), {"-o", "f.##.PNG", "--png-bits", "16", "--resume"});
-  EXPECT_THAT(result.out, HasSubstr("1 frames rendered, 4 kept"));
+  EXPECT_THAT(result.out, HasSubstr("1 frame rendered, 4 kept"));
 
   const std::string table = run_tool({"info", path("f.03.PNG")}).out;
   EXPECT_THAT(table, HasSubstr("32 x 18"));

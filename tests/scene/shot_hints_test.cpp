@@ -142,6 +142,11 @@ TEST(ShotHint, ColoursOfOtherPrograms) {
             "[0.003035, 0.2462, 0, 0.003922]; write 136.0 if it is meant");
   EXPECT_EQ(refusal_of("[[light]]\ndirection = [0, 0, 1]\ncolor = [255, 255, 255]").substr(0, 30),
             "shot.toml:3:10: color holds 25");
+  const std::string background = "[image]\nbackground = ";
+  EXPECT_EQ(refusal_of(background + "\"#f80\"").substr(0, 38), "shot.toml:2:14: background is \"#f80\"; ");
+  EXPECT_EQ(refusal_of(background + "[255, 136, 0]").substr(0, 36), "shot.toml:2:15: background holds 255");
+  EXPECT_EQ(refusal_of(background + "[\"#f80\", \"#000\"]").substr(0, 38), "shot.toml:2:15: background is \"#f80\"; ");
+  EXPECT_EQ(refusal_of(background + "[[0, 0, 0], [0, 0, 64]]").substr(0, 35), "shot.toml:2:33: background holds 64");
   EXPECT_EQ(linear_of_hex("#f80"), "[1, 0.2462, 0]");
   EXPECT_EQ(linear_of_hex("000000"), "[0, 0, 0]");
   EXPECT_EQ(linear_of_hex("#00000080"), "[0, 0, 0, 0.502]");

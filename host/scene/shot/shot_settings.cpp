@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "host/scene/model/rate_hint.hpp"
+#include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 
 namespace morphcl {
@@ -85,10 +86,12 @@ DepthFormat read_depth_format(const ShotValue& value) {
 }
 
 bool is_colors(const ShotValue& value) {
-  return value.is_array() && value.size() == 2 && value[0].is_array() && value[1].is_array();
+  return value.is_array() && value.size() == 2 && !value[0].is_number() && !value[1].is_number();
 }
 
 glm::dvec3 background_color(const ShotValue& value) {
+  refuse_color_text(value);
+  refuse_codes(value);
   const glm::dvec3 color = value.color();
   if (const double largest = std::max({color.x, color.y, color.z}); largest > max_background)
     value.fail(fmt::format("background is {}; {} is the most that half holds", largest, max_background));
@@ -96,6 +99,7 @@ glm::dvec3 background_color(const ShotValue& value) {
 }
 
 std::optional<Background> read_background(const ShotValue& value) {
+  refuse_color_text(value);  // its message says more than the one below
   if (value.is_text() && value.text() == "none") return std::nullopt;
   if (is_colors(value)) return Background{background_color(value[0]), background_color(value[1])};
   if (!value.is_array() || value.size() != 3)
