@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/console.hpp"
-#include "cli/end_process.hpp"
 #include "cli/stop_signals.hpp"
+#include "host/end_process.hpp"
 #include "host/thread_count.hpp"
 
 namespace morphcl::cli {

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "cli/console.hpp"
-#include "cli/end_process.hpp"
 #include "cli/exit_code.hpp"
+#include "host/end_process.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl::cli {

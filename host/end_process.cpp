@@ -1,4 +1,4 @@
-#include "cli/end_process.hpp"
+#include "host/end_process.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 #include "host/leftovers.hpp"
 
-namespace morphcl::cli {
+namespace morphcl {
 
 namespace {
 
@@ -30,4 +30,4 @@ void end_process(int code) {
 void leave_thread_at_work() { thread_at_work = true; }
 bool thread_left_at_work() { return thread_at_work; }
 
-}  // namespace morphcl::cli
+}  // namespace morphcl

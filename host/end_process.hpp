@@ -2,7 +2,7 @@
 // the driver's globals would take its ground away, so none is run.
 #pragma once
 
-namespace morphcl::cli {
+namespace morphcl {
 
 // Ends the process at once, with nothing left behind (host/leftovers.hpp): no destructor runs, nothing is flushed. What
 // the driver says of the files that have gone under its hands is not heard any more.
@@ -12,4 +12,4 @@ namespace morphcl::cli {
 void leave_thread_at_work();
 bool thread_left_at_work();
 
-}  // namespace morphcl::cli
+}  // namespace morphcl

@@ -8,7 +8,6 @@
 #include "demos/viewer/view_camera.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/job.hpp"
-#include "morphcl/renderer.hpp"
 #include "morphcl/scene.hpp"
 
 namespace morphcl::viewer {
@@ -22,11 +21,10 @@ std::vector<std::int64_t> frames_of(const Scene& scene) {
 
 }  // namespace
 
-FrameSource::FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Session> session)
+FrameSource::FrameSource(Scene scene, DemoSettings settings, DemoRenderer& renderer)
     : scene_(std::move(scene)),
       settings_(std::move(settings)),
-      session_(std::move(session)),
-      renderer_(session_ ? make_device_renderer(session_) : make_reference_renderer()),
+      renderer_(renderer),
       planner_(scene_),
       frames_(frames_of(scene_)),
       shot_camera_(scene_.timeline.camera),
@@ -71,12 +69,8 @@ const FrameBuffer& FrameSource::render(const View& view, const Size& size) {
   show(view, size, color_alone);
 
   const auto start = std::chrono::steady_clock::now();
-  renderer_->render(planner_.plan(frames_[view.step]), *rendered_);
+  renderer_.for_next_frame().render(planner_.plan(frames_[view.step]), *rendered_);
   milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  if (session_ && !stored_programs_) {
-    session_->store_programs();
-    stored_programs_ = true;
-  }
   rendered_view_ = view;
   return *rendered_;
 }
@@ -86,7 +80,7 @@ std::string FrameSource::export_frame(const View& view, const Size& size, const 
   RenderJob job;
   job.pattern = pattern;
   job.frames = {frames_[view.step]};
-  const FrameResult result = run(job, scene_, *renderer_).frames.at(0);
+  const FrameResult result = run(job, scene_, renderer_.for_next_frame()).frames.at(0);
   if (result.status == FrameResult::Status::failed) {
     throw Error(static_cast<ErrorKind>(result.error_code), "", result.error);
   }

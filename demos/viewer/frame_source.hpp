@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "demos/viewer/demo_renderer.hpp"
 #include "demos/viewer/demo_settings.hpp"
 #include "demos/viewer/demo_state.hpp"
 #include "morphcl/planner.hpp"
-#include "morphcl/renderer.hpp"
 #include "morphcl/scene.hpp"
-#include "morphcl/session.hpp"
 
 namespace morphcl::viewer {
 
@@ -23,8 +22,8 @@ struct Size {
 
 class FrameSource {
  public:
-  // Without a session frames come from the reference renderer. Error(bad_input) when the scene has no frames.
-  FrameSource(Scene scene, DemoSettings settings, std::shared_ptr<Session> session);
+  // Error(bad_input) when the scene has no frames.
+  FrameSource(Scene scene, DemoSettings settings, DemoRenderer& renderer);
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
@@ -45,8 +44,7 @@ class FrameSource {
 
   Scene scene_;  // camera, image and hash are those of the view at hand
   const DemoSettings settings_;
-  const std::shared_ptr<Session> session_;
-  const std::unique_ptr<Renderer> renderer_;
+  DemoRenderer& renderer_;
   const Planner planner_;                   // of scene_, whose meshes stay as they are
   const std::vector<std::int64_t> frames_;  // one a step
   const Camera shot_camera_;
@@ -56,7 +54,6 @@ class FrameSource {
   std::optional<View> rendered_view_;
   std::unique_ptr<FrameBuffer> rendered_;
   double milliseconds_ = 0;
-  bool stored_programs_ = false;
 };
 
 }  // namespace morphcl::viewer

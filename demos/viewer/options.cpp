@@ -79,9 +79,12 @@ std::optional<DemoOptions> parse_options(const DemoSettings& settings, int argc,
       ->option_text(fmt::format("WxH [{}x{}]", settings.width, settings.height));
   app.add_option("--shot", options.shot, "Show another shot file or model")
       ->option_text("FILE [" + settings.shot + "]");
-  app.add_option("--device", options.device, "OpenCL device: part of its name, its index, or \"reference\"")
-      ->option_text("NAME");
-  app.add_option("--threads", options.threads, "Threads of a CPU device; 0: all that this process may use")
+  app.add_option(
+         "--device", options.device,
+         "OpenCL device: part of its name, its index, or \"reference\"; \"auto\": the reference, until the kernels "
+         "are compiled")
+      ->option_text("NAME [auto]");
+  app.add_option("--threads", options.threads, "Threads of the renderer; 0: all that this process may use")
       ->option_text("N [0]")
       ->check(CLI::Range(0, 4096));
   app.add_option("--script", script, "Press these keys")->option_text("SCRIPT");

@@ -15,9 +15,9 @@ struct DemoOptions {
   std::string shot;              // path; empty: the demo's own
   std::vector<KeyPress> script;  // pressed one after the other, before the keyboard
   bool headless = false;
-  std::string out;     // headless: the file of the last frame, .exr or .png; empty: none
-  std::string device;  // as SessionOptions::device, or "reference"
-  int threads = 0;     // as SessionOptions::threads
+  std::string out;              // headless: the file of the last frame, .exr or .png; empty: none
+  std::string device = "auto";  // or "reference", or as SessionOptions::device
+  int threads = 0;              // as SessionOptions::threads
   Size size;
 };
 

@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <exception>
 
+#include "demos/viewer/demo_renderer.hpp"
 #include "demos/viewer/demo_session.hpp"
 #include "demos/viewer/frame_source.hpp"
 #include "demos/viewer/options.hpp"
 #include "demos/viewer/run_headless.hpp"
 #include "demos/viewer/run_window.hpp"
 #include "demos/viewer/shot_path.hpp"
+#include "host/end_process.hpp"
 #include "host/standard_streams.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
@@ -18,16 +20,7 @@
 namespace morphcl::viewer {
 namespace {
 
-std::shared_ptr<Session> open_session(const DemoOptions& options) {
-  if (options.device == "reference") return nullptr;
-  SessionOptions session;
-  session.device = options.device;
-  session.threads = options.threads;
-  return Session::open(session);
-}
-
 void run(const DemoSettings& settings, const DemoOptions& options) {
-  if (options.device != "reference") prepare_process(options.threads);
   std::unique_ptr<Window> window;
   if (!options.headless) window = std::make_unique<Window>(settings.name, options.size);
 
@@ -36,19 +29,20 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
   load.height = options.size.height;
   Scene scene = load_scene(options.shot.empty() ? find_shot(settings.shot) : options.shot, load);
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}: {}\n", settings.name, printable(warning));
-  FrameSource frames(std::move(scene), settings, open_session(options));
+  DemoRenderer renderer(options.device, options.threads);
+  FrameSource frames(std::move(scene), settings, renderer);
   DemoSession session(settings, frames);
   if (window) {
     run_window(*window, session, options.script, frames.frames_per_second());
+    window.reset();
   } else {
     run_headless(frames, session, options.script, options.size, options.out);
   }
+  renderer.store_programs();
 }
 
-}  // namespace
-
-int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
-  open_closed_standard_streams();
+// Returns the exit code.
+int run_and_report(const DemoSettings& settings, int argc, const char* const* argv) {
   try {
     if (const auto options = parse_options(settings, argc, argv)) run(settings, *options);
     return 0;
@@ -59,6 +53,18 @@ int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
     fmt::print(stderr, "{}: {}\n", settings.name, printable(error.what()));
     return static_cast<int>(ErrorKind::internal);
   }
+}
+
+}  // namespace
+
+int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
+  open_closed_standard_streams();
+  const int code = run_and_report(settings, argc, argv);
+  if (thread_left_at_work()) {
+    std::fflush(nullptr);
+    end_process(code);
+  }
+  return code;
 }
 
 }  // namespace morphcl::viewer
