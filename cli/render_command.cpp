@@ -83,7 +83,7 @@ int render_command(const RenderOptions& options) {
   settings.checks_first = options.resume;
   if (opened.session) settings.kernels_compiled = [&opened] { return opened.session->kernels_compiled(); };
   RenderReport report(job.frames.size(), settings);
-  std::future<void> programs_stored;  // from the first frame on, as it takes about as long as compiling them did
+  std::future<void> programs_stored;  // from the first frame on, as a driver may take as long as for compiling them
   job.on_checked = [&report](std::int64_t) { report.checked(); };
   job.on_drawn = [&](std::int64_t frame) {
     in_work.drawn(frame);

@@ -7,6 +7,7 @@
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/warm_scene.hpp"
+#include "host/device/session_access.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/planner.hpp"
 
@@ -23,6 +24,7 @@ int warm_command(const DeviceOptions& options) {
     opened.renderer->render(plan_frame(scene, 0), frame);
   }
   opened.store_programs();
+  store_binaries(*opened.session);
   if (const std::string trouble = opened.session->cache_trouble(); !trouble.empty())
     throw Error(ErrorKind::cannot_create, "", "the kernels are compiled and cannot be kept: " + trouble);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -26,6 +26,11 @@ std::string named_cache_dir(const std::string& option) {
   return option.empty() && own != nullptr ? own : option;
 }
 
+std::optional<fs::path>& placed_folder() {
+  static std::optional<fs::path> folder;
+  return folder;
+}
+
 // The first folder that PoCL can work in; what is wrong with each when there is none.
 fs::path make_driver_folder(const std::optional<fs::path>& cache_dir) {
   std::vector<fs::path> parents;
@@ -74,8 +79,14 @@ void place_pocl_cache(const std::optional<fs::path>& cache_dir) {
                                "name a folder that can be written, or unset it");
       return;
     }
-    setenv("POCL_CACHE_DIR", make_driver_folder(cache_dir).c_str(), 1);
+    const fs::path folder = make_driver_folder(cache_dir);
+    setenv("POCL_CACHE_DIR", folder.c_str(), 1);
+    placed_folder() = folder;
   });
 }
+
+std::optional<fs::path> placed_pocl_cache() { return placed_folder(); }
+
+bool pocl_cache_is_ours() { return placed_folder() || environment("POCL_CACHE_DIR") == nullptr; }
 
 }  // namespace morphcl

@@ -21,4 +21,10 @@ bool cache_is_switched_off(const std::string& option);
 // before the first OpenCL call; only the first call that succeeds has an effect.
 void place_pocl_cache(const std::optional<std::filesystem::path>& cache_dir);
 
+// The folder that it has made. Nothing before, and where POCL_CACHE_DIR was set.
+std::optional<std::filesystem::path> placed_pocl_cache();
+
+// The folder is placed, or would be: what PoCL leaves there is kept in our cache, without asking PoCL for binaries.
+bool pocl_cache_is_ours();
+
 }  // namespace morphcl

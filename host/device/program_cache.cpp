@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 
+#include "host/device/program_files.hpp"
+
 namespace morphcl {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -39,9 +44,16 @@ std::vector<std::string> pocl_variables() {
   return variables;
 }
 
-std::optional<std::filesystem::path> subfolder(const std::optional<std::filesystem::path>& cache_dir,
-                                               const char* name) {
+std::optional<fs::path> subfolder(const std::optional<fs::path>& cache_dir, const char* name) {
   return cache_dir ? std::optional(*cache_dir / name) : std::nullopt;
+}
+
+std::string identity_of(const std::vector<unsigned char>& bytes) {
+  return cache_key(std::array{std::string(bytes.begin(), bytes.end())}).hex();
+}
+
+std::string program_identity(const std::string& source, const std::string& options) {
+  return cache_key(std::array{source, options}).hex();
 }
 
 std::span<const unsigned char> bytes_of(std::string_view text) {
@@ -66,9 +78,12 @@ std::vector<std::string> compiler_identity(const cl::Device& device, const cl::P
   return identity;
 }
 
-ProgramCache::ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> identity)
+ProgramCache::ProgramCache(const std::optional<fs::path>& cache_dir, std::vector<std::string> identity,
+                           std::optional<fs::path> pocl_folder)
     : compiler_identity_(std::move(identity)),
+      pocl_folder_(std::move(pocl_folder)),
       binaries_(subfolder(cache_dir, "programs"), "clbin"),
+      files_(subfolder(cache_dir, "programs"), "clfiles"),
       verdicts_(subfolder(cache_dir, "programs"), "verdict") {}
 
 CacheKey ProgramCache::key(const std::string& source, const std::string& options, const std::string& name) const {
@@ -79,9 +94,16 @@ CacheKey ProgramCache::key(const std::string& source, const std::string& options
 
 std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const std::string& source,
                                               const std::string& options, const std::string& kernel) {
-  auto binary = binaries_.load(key(source, options, kernel));
+  const CacheKey key = this->key(source, options, kernel);
+  if (const auto program = load_binary(context, key, options)) return program;
+  return load_files(context, key, source, options);
+}
+
+std::optional<cl::Program> ProgramCache::load_binary(const cl::Context& context, const CacheKey& key,
+                                                     const std::string& options) {
+  auto binary = binaries_.load(key);
   if (!binary) return std::nullopt;
-  const std::string identity = cache_key(std::array{std::string(binary->begin(), binary->end())}).hex();
+  const std::string identity = identity_of(*binary);
   if (const auto loaded = loaded_.find(identity); loaded != loaded_.end()) return loaded->second;
   try {
     cl::Program program(context, context.getInfo<CL_CONTEXT_DEVICES>(), cl::Program::Binaries{std::move(*binary)});
@@ -92,8 +114,54 @@ std::optional<cl::Program> ProgramCache::load(const cl::Context& context, const 
   }
 }
 
-bool ProgramCache::store(const cl::Program& program, const std::string& source, const std::string& options,
+std::optional<cl::Program> ProgramCache::load_files(const cl::Context& context, const CacheKey& key,
+                                                    const std::string& source, const std::string& options) {
+  if (!pocl_folder_) return std::nullopt;
+  const auto files = files_.load(key);
+  if (!files) return std::nullopt;
+  const std::string identity = identity_of(*files);
+  if (const auto loaded = loaded_.find(identity); loaded != loaded_.end()) return loaded->second;
+  const auto folder = unpack_program_files(*pocl_folder_, *files);
+  if (!folder) return std::nullopt;
+  folders_[program_identity(source, options)] = *folder;
+  try {
+    return loaded_[identity] = build(context, source, options).program;
+  } catch (const cl::Error&) {
+    return std::nullopt;
+  }
+}
+
+bool ProgramCache::has_binary(const std::string& source, const std::string& options, const std::string& kernel) const {
+  return binaries_.load(key(source, options, kernel)).has_value();
+}
+
+BuiltProgram ProgramCache::build(const cl::Context& context, const std::string& source, const std::string& options) {
+  std::set<fs::path> before, added;
+  if (pocl_folder_) before = program_folders(*pocl_folder_);
+  BuiltProgram built{cl::Program(context, source), {}};
+  built.program.build(options.c_str());
+  if (!pocl_folder_) return built;
+  const std::set<fs::path> after = program_folders(*pocl_folder_);
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::inserter(added, added.end()));
+  fs::path& folder = folders_[program_identity(source, options)];
+  if (added.size() == 1) folder = *added.begin();  // of more, another session's thread has added one
+  built.files = folder;
+  return built;
+}
+
+bool ProgramCache::store(const BuiltProgram& built, const std::string& source, const std::string& options,
                          const std::set<std::string>& kernels, std::string* trouble) const {
+  if (!files_.has_folder() || kernels.empty()) return false;
+  const auto files =
+      pocl_folder_ && !built.files.empty() ? pack_program_files(*pocl_folder_, built.files, kernels) : std::nullopt;
+  if (!files) return store_binary(built.program, source, options, kernels, trouble);
+  return std::all_of(kernels.begin(), kernels.end(), [&](const std::string& kernel) {
+    return files_.store(key(source, options, kernel), *files, trouble);
+  });
+}
+
+bool ProgramCache::store_binary(const cl::Program& program, const std::string& source, const std::string& options,
+                                const std::set<std::string>& kernels, std::string* trouble) const {
   // Not asked in vain: PoCL compiles all kernels once more for a binary.
   if (!binaries_.has_folder() || kernels.empty()) return false;
   try {

@@ -21,20 +21,37 @@ std::vector<std::string> machine_identity();
 // and the POCL_ variables that change code.
 std::vector<std::string> compiler_identity(const cl::Device& device, const cl::Platform& platform);
 
+struct BuiltProgram {
+  cl::Program program;
+  std::filesystem::path files;  // PoCL's, below its folder; empty where they are not known
+};
+
 class ProgramCache {
  public:
-  ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> compiler_identity);
+  // `pocl_folder`: of PoCL's own cache, where it lives and dies with this process.
+  ProgramCache(const std::optional<std::filesystem::path>& cache_dir, std::vector<std::string> compiler_identity,
+               std::optional<std::filesystem::path> pocl_folder = std::nullopt);
 
-  // A program built from a binary in which `kernel` is ready to run, or nothing if there is none or the driver does not
-  // take it. Kernels that were stored together get the same program. Not for two threads at a time.
+  // A program in which `kernel` is ready to run, or nothing if there is none or the driver does not take it: from a
+  // binary, else from PoCL's files. Kernels that were stored together get the same program. Not for two threads at a
+  // time.
   std::optional<cl::Program> load(const cl::Context& context, const std::string& source, const std::string& options,
                                   const std::string& kernel);
+  bool has_binary(const std::string& source, const std::string& options, const std::string& kernel) const;
 
-  // Stores the binary for each of `kernels`, which must have run: PoCL's binaries hold the work-group functions
-  // compiled so far, and a kernel without one would be compiled again by every process that loads the binary. False if
-  // there are none, the driver gives no binary, or the folder does not take it; then `trouble` gets the reason.
-  bool store(const cl::Program& program, const std::string& source, const std::string& options,
+  // Throws cl::BuildError.
+  BuiltProgram build(const cl::Context& context, const std::string& source, const std::string& options);
+
+  // Stores what build() has made for each of `kernels`, which must have run: what is compiled is the work-group
+  // functions that were asked for so far, and a kernel without one would be compiled again by every later process.
+  // PoCL's files, where it has left any, else the binary. False if there are no kernels, the driver gives no binary, or
+  // the folder does not take it; then `trouble` gets the reason.
+  bool store(const BuiltProgram& built, const std::string& source, const std::string& options,
              const std::set<std::string>& kernels, std::string* trouble = nullptr) const;
+
+  // The same by the binary, which is loaded in half the time. PoCL compiles every kernel once more for it.
+  bool store_binary(const cl::Program& program, const std::string& source, const std::string& options,
+                    const std::set<std::string>& kernels, std::string* trouble = nullptr) const;
 
   // Whether the self-test is known to pass for this program. Only passing is remembered. The key names the compiler,
   // the processor and the test, and what it vouches for is the same as what the cached binaries were made by: a
@@ -44,10 +61,16 @@ class ProgramCache {
 
  private:
   CacheKey key(const std::string& source, const std::string& options, const std::string& name) const;
+  std::optional<cl::Program> load_binary(const cl::Context& context, const CacheKey& key, const std::string& options);
+  std::optional<cl::Program> load_files(const cl::Context& context, const CacheKey& key, const std::string& source,
+                                        const std::string& options);
 
   std::vector<std::string> compiler_identity_;
-  DiskCache binaries_, verdicts_;
-  std::map<std::string, cl::Program> loaded_;  // by the binary's hash
+  std::optional<std::filesystem::path> pocl_folder_;
+  DiskCache binaries_, files_, verdicts_;
+  std::map<std::string, cl::Program> loaded_;  // by the hash of what was loaded
+  std::map<std::string, std::filesystem::path>
+      folders_;  // of programs in pocl_folder_, by the hash of source and options
 };
 
 }  // namespace morphcl

@@ -34,7 +34,7 @@ constexpr std::size_t work_group_items = 16;  // of the self-test; the largest o
 constexpr std::uint64_t max_tolerated_ulp = 4;
 
 struct SourceProgram {
-  cl::Program program;
+  BuiltProgram built;
   std::string text, more_options;
   std::set<std::string> unstored;  // kernels in use that the cache does not have yet
 };
@@ -45,18 +45,15 @@ std::string first_line(const std::string& log) {
   return log.substr(begin, log.find_first_of("\r\n", begin) - begin);
 }
 
-cl::Program build_from_source(const cl::Context& context, const std::string& file, const std::string& text,
-                              const std::string& options, bool by_pocl) {
-  if (by_pocl) check_linker();
-  cl::Program program(context, text);
+BuiltProgram build_from_source(ProgramCache& cache, const cl::Context& context, const std::string& file,
+                               const std::string& text, const std::string& options) {
   try {
-    program.build(options.c_str());
+    return cache.build(context, text, options);
   } catch (const cl::BuildError& error) {
     const auto logs = error.getBuildLog();
     throw Error(ErrorKind::internal, file,
                 fmt::format("{}: {}", cl_code_name(error.err()), first_line(logs.empty() ? "" : logs.front().second)));
   }
-  return program;
 }
 
 }  // namespace
@@ -70,6 +67,7 @@ struct Session::Impl {
   std::optional<ProgramCache> cache;
   std::optional<KnownKernels> known;  // of the default device alone
   SelfTestResult self_test;
+  bool by_pocl = false;
   bool no_cache_wanted = false;
   std::string cache_name;     // for people; "" where there is no folder
   std::string cache_trouble;  // guarded by programs_mutex
@@ -79,6 +77,7 @@ struct Session::Impl {
   using ProgramKey = std::pair<std::string, std::string>;              // file, all build options
   std::map<std::pair<ProgramKey, std::string>, cl::Program> programs;  // by kernel as well
   std::map<ProgramKey, SourceProgram> source_programs;
+  std::map<std::string, std::string> texts;  // of the programs' files
 
   void open(const FoundDevice& chosen, const SessionOptions& options, bool is_default) {
     info = chosen.info;
@@ -93,7 +92,9 @@ struct Session::Impl {
     const auto folder = choose_cache_dir(options.cache_dir);
     if (folder) cache_name = folder->string();
     no_cache_wanted = cache_is_switched_off(options.cache_dir);
-    cache.emplace(folder, compiler_identity(chosen.device, chosen.platform));
+    by_pocl = info.platform.starts_with("Portable Computing Language");
+    cache.emplace(folder, compiler_identity(chosen.device, chosen.platform),
+                  by_pocl ? placed_pocl_cache() : std::nullopt);
     if (is_default) known.emplace(folder);
   }
 
@@ -106,29 +107,29 @@ struct Session::Impl {
     if (const cl::Program* found = compiled_program(source, kernel, more_options)) return *found;
     const ProgramKey key{source.file, build_options + more_options};
     ++kernels_compiled;
-    SourceProgram& built = source_programs[key];
-    if (!built.program()) {
-      built.text = text_of(source);
-      built.more_options = more_options;
-      built.program = build_from_source(context, source.file, built.text, key.second,
-                                        info.platform.starts_with("Portable Computing Language"));
+    SourceProgram& from_source = source_programs[key];
+    if (!from_source.built.program()) {
+      if (by_pocl) check_linker();
+      from_source.text = texts[source.file];
+      from_source.more_options = more_options;
+      from_source.built = build_from_source(*cache, context, source.file, from_source.text, key.second);
     }
-    built.unstored.insert(kernel);
-    return programs[{key, kernel}] = built.program;
+    from_source.unstored.insert(kernel);
+    return programs[{key, kernel}] = from_source.built.program;
   }
 
   // One that was asked for before or that the cache has; null for others. Under programs_mutex.
   const cl::Program* compiled_program(const KernelSource& source, const std::string& kernel,
                                       const std::string& more_options) {
     const ProgramKey key{source.file, build_options + more_options};
-    cl::Program& program = programs[{key, kernel}];
-    if (program()) return &program;
-    const std::string text = text_of(source);
+    const auto used = programs.find({key, kernel});
+    if (used != programs.end()) return &used->second;
+    texts[source.file] = text_of(source);
+    const std::string& text = texts[source.file];
     const auto cached = cache->load(context, text, key.second, kernel);
     if (!cached) return nullptr;
     note_known(text, more_options, kernel);
-    program = *cached;
-    return &program;
+    return &programs.emplace(std::pair(key, kernel), *cached).first->second;
   }
 
   void note_known(const std::string& text, const std::string& more_options, const std::string& kernel) const {
@@ -144,13 +145,37 @@ struct Session::Impl {
   // which takes PoCL as long as compiling did.
   std::optional<std::pair<ProgramKey, SourceProgram>> take_unstored() {
     const std::lock_guard lock(programs_mutex);
-    for (auto& [key, built] : source_programs) {
-      if (built.unstored.empty()) continue;
-      const std::pair<ProgramKey, SourceProgram> taken{key, built};
-      built.unstored.clear();
+    for (auto& [key, from_source] : source_programs) {
+      if (from_source.unstored.empty()) continue;
+      const std::pair<ProgramKey, SourceProgram> taken{key, from_source};
+      from_source.unstored.clear();
       return taken;
     }
     return std::nullopt;
+  }
+
+  struct UsedProgram {
+    cl::Program program;
+    std::string text, options;
+    std::set<std::string> kernels;
+  };
+
+  // What the cache has no binary of.
+  std::vector<UsedProgram> without_binary() {
+    const std::lock_guard lock(programs_mutex);
+    std::map<cl_program, UsedProgram> used;
+    for (const auto& [key, program] : programs) {
+      const auto& [file, options] = key.first;
+      if (cache->has_binary(texts[file], options, key.second)) continue;
+      UsedProgram& entry = used[program()];
+      entry.program = program;
+      entry.text = texts[file];
+      entry.options = options;
+      entry.kernels.insert(key.second);
+    }
+    std::vector<UsedProgram> list;
+    for (auto& [handle, entry] : used) list.push_back(std::move(entry));
+    return list;
   }
 
   void note_cache_trouble(const std::string& reason) {
@@ -246,15 +271,25 @@ void store_programs(Session& session, const std::atomic<bool>& stop) {
     while (!stop) {
       const auto taken = impl.take_unstored();
       if (!taken) return;
-      const auto& [key, built] = *taken;
+      const auto& [key, from_source] = *taken;
+      const std::set<std::string>& kernels = from_source.unstored;
       std::string trouble;
-      const bool stored = impl.cache->store(built.program, built.text, key.second, built.unstored, &trouble);
+      const bool stored = impl.cache->store(from_source.built, from_source.text, key.second, kernels, &trouble);
       impl.note_cache_trouble(trouble);
-      for (const std::string& kernel : built.unstored)
-        if (stored) impl.note_known(built.text, built.more_options, kernel);
+      for (const std::string& kernel : kernels)
+        if (stored) impl.note_known(from_source.text, from_source.more_options, kernel);
     }
   } catch (const std::exception&) {
     // The next process compiles again; that is all a missing cache entry costs.
+  }
+}
+
+void store_binaries(Session& session) {
+  auto& impl = SessionAccess::impl(session);
+  for (const auto& used : impl.without_binary()) {
+    std::string trouble;
+    impl.cache->store_binary(used.program, used.text, used.options, used.kernels, &trouble);
+    impl.note_cache_trouble(trouble);
   }
 }
 

@@ -109,8 +109,7 @@ class AutoRenderer : public Renderer {
   virtual bool is_preparing() const = 0;
 
   // Keeps what was compiled and has drawn frames, for later processes, as Session::store_programs() does: for the end
-  // of a job. PoCL takes about half as long as for compiling it, and draws nothing meanwhile, so that only a job that
-  // is much longer does this by itself, beside its first frames. Returns at once where there is nothing to keep, and
+  // of a job, which may be too short to have done this by itself. Returns at once where there is nothing to keep, and
   // where kernels are still being compiled.
   virtual void store_programs() = 0;
 

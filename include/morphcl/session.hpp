@@ -55,9 +55,8 @@ class Session {
   const std::string& verdict_detail() const;  // "" or what differs, with the largest difference in ulp
 
   // Stores what was compiled in this session and has run, for later processes. Call it after the first frame is
-  // written, or from a thread of its own, as PoCL takes about as long as it took to compile; call it again at the end,
-  // for what later frames brought in. Cheap when there is nothing to store. Never throws: an unwritable cache is no
-  // error.
+  // written, and again at the end, for what later frames brought in. Takes milliseconds with PoCL; where POCL_CACHE_DIR
+  // is set about as long as compiling took. Never throws: an unwritable cache is no error.
   void store_programs();
 
   // So far: those that were not found in the cache. Each is compiled when it runs for the first time, which takes PoCL

@@ -41,7 +41,7 @@ std::set<fs::path> files_with(const fs::path& folder, const std::string& extensi
 
 std::map<fs::path, fs::file_time_type> times_of_programs(const fs::path& folder) {
   std::map<fs::path, fs::file_time_type> times;
-  for (const auto& file : files_with(folder, ".clbin")) times[file] = fs::last_write_time(file);
+  for (const auto& file : files_with(folder, ".clfiles")) times[file] = fs::last_write_time(file);
   return times;
 }
 
@@ -80,7 +80,7 @@ class ProgramCacheFolder : public ::testing::Test {
 
 TEST_F(ProgramCacheFolder, HoldsProgramsAndVerdictAfterARun) {
   fill();
-  EXPECT_EQ(files_with(cache(), ".clbin").size(), points_programs);
+  EXPECT_EQ(files_with(cache(), ".clfiles").size(), points_programs);
   EXPECT_EQ(files_with(cache(), ".verdict").size(), 1u);
   EXPECT_EQ(files_with(cache(), ".tmp").size(), 0u);
   // A second run uses them as they are; PoCL's own cache went with the first.
@@ -101,7 +101,7 @@ TEST_F(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
   // In turn: which of them befalls a file does not matter, as disk_cache_test.cpp shows.
   const std::function<void(const fs::path&)> damages[] = {cut, empty, overwrite};
   std::size_t next = 0;
-  for (const char* kind : {".clbin", ".verdict"})
+  for (const char* kind : {".clfiles", ".verdict"})
     for (const auto& file : files_with(cache(), kind)) damages[next++ % std::size(damages)](file);
   expect_points(with_cache(cache()));
   // Each was stored anew, so that one more run rewrites nothing.
@@ -115,7 +115,7 @@ TEST_F(ProgramCacheFolder, DamagedFilesAreIgnoredAndReplaced) {
 TEST_F(ProgramCacheFolder, TakesInKernelsThatLaterProcessesUseFirst) {
   fill();
   expect_arrays(with_cache(cache()));
-  EXPECT_EQ(files_with(cache(), ".clbin").size(), arrays_programs);
+  EXPECT_EQ(files_with(cache(), ".clfiles").size(), arrays_programs);
   const auto written = times_of_programs(cache());
   expect_arrays(with_cache(cache()));
   EXPECT_EQ(times_of_programs(cache()), written);
@@ -128,9 +128,23 @@ TEST_F(ProgramCacheFolder, SeveralProcessesMayFillItAtOnce) {
   std::set<std::string> hashes;
   for (ChildProcess& child : children) hashes.insert(expect_hash(testing::result_of(child)));
   EXPECT_EQ(hashes.size(), 1u);
-  EXPECT_EQ(files_with(cache(), ".clbin").size(), points_programs);
+  EXPECT_EQ(files_with(cache(), ".clfiles").size(), points_programs);
   EXPECT_EQ(files_with(cache(), ".tmp").size(), 0u);
   expect_points(with_cache(cache()));
+}
+
+// Where PoCL's folder is the user's, nothing is taken out of it: binaries are kept, and loaded before files are.
+TEST_F(ProgramCacheFolder, HoldsBinariesWherePoclsFolderIsTheUsers) {
+  fill();
+  const TemporaryFolder pocl;
+  Environment environment = with_cache(cache());
+  environment["POCL_CACHE_DIR"] = pocl.path().string();
+  expect_points(environment);
+  EXPECT_EQ(files_with(cache(), ".clbin").size(), 1u);  // the self-test is known to pass
+  const auto files = times_of_programs(cache());
+  for (const auto& [file, time] : files) fs::remove(file);
+  expect_points(with_cache(cache()));
+  EXPECT_EQ(times_of_programs(cache()).size(), 0u) << "nothing had to be compiled";
 }
 
 // PoCL finds no device at all where its cache cannot be written; a temporary folder stands in and is cleared away.
@@ -160,12 +174,12 @@ TEST_F(ProgramCacheFolder, KernelLibrariesOfPoclDoNotMix) {
   Environment environment = with_cache(cache());
   environment["POCL_WORK_GROUP_METHOD"] = "loopvec";
   expect_points(environment);
-  EXPECT_EQ(files_with(cache(), ".clbin").size(), 2 * points_programs);
+  EXPECT_EQ(files_with(cache(), ".clfiles").size(), 2 * points_programs);
   // The number of threads changes no code.
   environment = with_cache(cache());
   environment["SLURM_CPUS_PER_TASK"] = "1";
   expect_points(environment);
-  EXPECT_EQ(files_with(cache(), ".clbin").size(), 2 * points_programs);
+  EXPECT_EQ(files_with(cache(), ".clfiles").size(), 2 * points_programs);
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ class Turns : public AutoRenderer {
     return false;
   }
 
-  // PoCL starts no kernels while it stores. A job that lasts long may be ended at any time by others.
+  // PoCL starts no kernels while it makes binaries. A job that lasts long may be ended at any time by others.
   void store_in_a_long_job(const FramePlan& plan) {
     if (!device_seconds_.is_known()) return;  // the first frames take more, of what is done once
     const auto left = static_cast<double>(expected_.value_or(drawn_));

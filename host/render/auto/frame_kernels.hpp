@@ -16,7 +16,8 @@ using FrameKernels = std::set<FrameKernel>;
 // out that a later frame needs another one. (How launches are chosen: DeviceRenderer::prepare.)
 FrameKernels frame_kernels(const FramePlan& plan);
 
-// Compiling and storing, seconds: about, before anything is measured.
+// Compiling and storing, seconds: about, before anything is measured. Storing takes PoCL a time only where a binary has
+// to be made (host/device/program_cache.hpp).
 double compile_seconds(const FrameKernels& kernels);
 double store_seconds(const FrameKernels& kernels);
 
