@@ -45,6 +45,8 @@ std::string usage_words(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   if (commands.empty()) {
     const std::vector<std::string> rest = app.remaining();
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && rest.empty())
+      return "a command is missing, as in morphcl render shot.toml; see morphcl --help";
     if (rest.empty() || rest.front().starts_with('-')) return printable(error.what()) + "; see morphcl --help";
     return unknown_command(app, rest.front()) + "; see morphcl --help";
   }

@@ -21,7 +21,7 @@ class Usage : public ToolTest {
   }
 };
 
-TEST_F(Usage, NoCommand) { expect_one_line_error(run_tool({}), 2, "--help"); }
+TEST_F(Usage, NoCommand) { expect_one_line_error(run_tool({}), 2, "a command is missing, as in morphcl render"); }
 TEST_F(Usage, UnknownCommand) { expect_one_line_error(run_tool({"paint"}), 2, "paint"); }
 TEST_F(Usage, NoScene) { expect_one_line_error(run_tool({"render"}), 2, "SCENE"); }
 TEST_F(Usage, UnknownOption) { expect_usage_error({"--colour"}, "--colour"); }
