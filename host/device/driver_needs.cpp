@@ -45,10 +45,14 @@ rlim_t limit_of(decltype(RLIMIT_FSIZE) resource) {
 
 // Takes the room, so that quotas and full disks are found whatever the file system says of itself.
 int try_to_write(const fs::path& folder, std::size_t bytes) {
-  std::string name = (folder / "morphcl-room-XXXXXX").string();
-  const int file = mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0) return errno;
-  unlink(name.c_str());
+  // Without a name, so that nothing is left of it whenever the process is killed; not all file systems have that.
+  int file = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file < 0) {
+    std::string name = (folder / "morphcl-room-XXXXXX").string();
+    file = mkostemp(name.data(), O_CLOEXEC);
+    if (file < 0) return errno;
+    unlink(name.c_str());
+  }
   int failure = EINTR;
   while (failure == EINTR) failure = posix_fallocate(file, 0, static_cast<off_t>(bytes));
   close(file);
