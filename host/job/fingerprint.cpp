@@ -19,8 +19,7 @@ class SceneHasher {
   std::string hex() const { return hasher_.hex(); }
 
   template <class Value>
-    requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>)
-  void add(Value value) {
+  requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>) void add(Value value) {
     hasher_.add_row(&value, sizeof value);
   }
   void add(std::string_view text) {
@@ -119,13 +118,16 @@ class SceneHasher {
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
-    const auto& [base_color, shading, double_sided] = material;
+    const auto& [base_color, shading, double_sided, line_width] = material;
     add_all(mesh, node, base_color, shading, double_sided, morph);
+    if (line_width != 1) add_all(std::string_view("line_width"), line_width);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, color, depth, compression, depth_format, background] = image;
+    const auto& [width, height, color, depth, compression, depth_format, background, samples] = image;
     add_all(width, height, color, depth, std::string_view(compression), depth_format, background.has_value());
     if (background) add_all(background->top, background->bottom);
+    // Only what differs from the default, so that files of earlier versions stay valid.
+    if (samples != 1) add_all(std::string_view("samples"), samples);
   }
   void add(const Scene& scene) {
     const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,

@@ -72,6 +72,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   constants.first_target = static_cast<uint>(tables.targets.size());
   constants.target_count = static_cast<uint>(draw.targets.size());
   constants.precise = static_cast<uint>(tables.precise.size());
+  constants.line_width = draw.line_width;
   return constants;
 }
 
@@ -197,7 +198,7 @@ void renew_targets(const FramePlan& plan, const MeshStore& meshes, FrameTables& 
   }
 }
 
-template <uint layout::DrawConstants::* count>
+template <uint layout::DrawConstants::*count>
 std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
   std::vector<uint> numbers;
   for (std::size_t draw = 0; draw < draws.size(); ++draw)

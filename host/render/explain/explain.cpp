@@ -57,6 +57,7 @@ class Notes {
 
   std::vector<PlanNote> take() {
     channels();
+    samples();
     objects();
     targets();
     elastic();
@@ -85,6 +86,20 @@ class Notes {
     note("RGBA", plan_.color, plan_.color ? "asked for" : "not among the channels", costs_.color);
     if (plan_.background) note("background", true, "colour of every pixel where nothing is drawn", 0);
     note("Z", plan_.depth, plan_.depth ? "asked for" : "not among the channels", costs_.depth);
+  }
+
+  void samples() {
+    const int asked_for = scene_.image.samples;
+    note("samples", plan_.samples > 1,
+         asked_for == 1      ? "one a pixel is asked for: its centre"
+         : plan_.samples > 1 ? fmt::format("{} a pixel are asked for: colour and alpha are their mean", asked_for)
+                             : fmt::format("{} a pixel are asked for, but no colour", asked_for),
+         costs_.samples);
+    if (plan_.samples > 1)
+      note("pixel centres", plan_.depth,
+           plan_.depth ? "Z is that of the centre, which is no sample: one more pass"
+                       : "no channel is asked for that shows what is at the centre",
+           costs_.centres);
   }
 
   void objects() {

@@ -22,14 +22,15 @@ struct Int4 {
 // The host knows the default's layout of this struct alone; the others have its size.
 static_assert(sizeof(LargeTriangle) == 64);
 // Members are 4 bytes wide, or 8 and in front, so device and host agree when the totals do.
-static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 15));
+static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 16));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(ClippedPrimitive) == 104);
 static_assert(sizeof(BinsOffsets) == 64);
-static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 47);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 49);
 static_assert(sizeof(ChunkStatus) == 16);
+static_assert(sizeof(SampleFragment) == 24);
 static_assert(sizeof(BinsHeader) == 64);
 
 static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FLOAT &&
