@@ -55,24 +55,31 @@ static inline void clear_block(Tile tile, uint block, Depth background) {
   }
 }
 
+// Asks for the fragments that a tile's list begins with.
+static inline void prefetch_fragments(ChunkBins bins, uint head) {
+  for (uint i = first_of_page(head); i < head; i += 3) PREFETCH(&bins.fragments[i]);
+}
+#define FRAGMENTS_AHEAD 12  // four cache lines
+
 // Clears a block when the first fragment comes, which `touched` notes, a bit a block.
 static inline void merge_fragments(Tile tile, ChunkBins bins, uint head, Depth background, uint* touched) {
   TILE_MEMORY SampleDepths* depths = (TILE_MEMORY SampleDepths*)tile.depth;
   TILE_MEMORY SampleUints* ids = (TILE_MEMORY SampleUints*)tile.id;
   while (head) {
     for (uint i = first_of_page(head); i < head; i++) {
+      PREFETCH(&bins.fragments[i + FRAGMENTS_AHEAD]);
       const SampleFragment f = bins.fragments[i];
-      const uint block = f.place >> 8;
+      const uint place = f.place_and_mask & ((1u << PLACE_IN_TILE_BITS) - 1), block = place >> 8;
       if (!(*touched >> block & 1u)) {
         clear_block(tile, block, background);
         *touched |= 1u << block;
       }
-      const SampleDepths depth = depths_of_fragment(f), held = depths[f.place];
-      const SampleUints held_id = ids[f.place];
-      const SampleInts covered = (f.mask & SAMPLE_BITS) != 0;
+      const SampleDepths depth = depths_of_fragment(f), held = depths[place];
+      const SampleUints held_id = ids[place];
+      const SampleInts covered = (f.place_and_mask >> PLACE_IN_TILE_BITS & SAMPLE_BITS) != 0;
       const SampleInts wins = covered & ((depth > held) | ((depth == held) & (f.id < held_id)));
-      depths[f.place] = select(held, depth, wins);
-      ids[f.place] = select(held_id, (SampleUints)(f.id), wins);
+      depths[place] = select(held, depth, wins);
+      ids[place] = select(held_id, (SampleUints)(f.id), wins);
     }
     head = head_before(bins.fragment_next, head);
   }
@@ -97,37 +104,58 @@ static inline void survey_blocks(Tile tile, uint touched, Blocks* blocks) {
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-// Of a vector of samples: depths, and which are not beyond the far plane. The columns begin with `column`.
+// Depths of a large triangle at the samples of a row, vector by vector, and which are not beyond the far plane. The row
+// begins with column `column`.
 #ifdef FORWARD_DEPTH
-ALWAYS_INLINE TwoFloats normalized_depth_of_samples(global const LargeTriangle* t, TileDepth corner, int column,
-                                                    int row) {
-  const long16 across = convert_long16((LANE / SAMPLES + column) * SUBPIXELS + SAMPLE_X_OF_LANES * SAMPLE_UNIT),
-               down = convert_long16(row * SUBPIXELS + SAMPLE_Y_OF_LANES * SAMPLE_UNIT);
-  const long16 part_b = corner.part_b + across * t->d2y - down * t->d2x,
-               part_c = corner.part_c + down * t->d1x - across * t->d1y;
+typedef struct {
+  global const LargeTriangle* triangle;
+  TileDepth corner;
+  int column, row;
+} SampleRow;
+ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth corner, int column, int row) {
+  SampleRow samples;
+  samples.triangle = t;
+  samples.corner = corner;
+  samples.column = column;
+  samples.row = row;
+  return samples;
+}
+ALWAYS_INLINE TwoFloats normalized_depth_of_samples(const SampleRow* r, int vector) {
+  global const LargeTriangle* t = r->triangle;
+  const long16 across = convert_long16((LANE / SAMPLES + r->column + vector * VECTOR_PIXELS) * SUBPIXELS +
+                                       SAMPLE_X_OF_LANES * SAMPLE_UNIT),
+               down = convert_long16(r->row * SUBPIXELS + SAMPLE_Y_OF_LANES * SAMPLE_UNIT);
+  const long16 part_b = r->corner.part_b + across * t->d2y - down * t->d2x,
+               part_c = r->corner.part_c + down * t->d1x - across * t->d1y;
   const TwoFloats a = two_floats((float16)(t->plane.a[0]), (float16)(t->plane.a[1]));
   const TwoFloats b = two_floats((float16)(t->plane.b[0]), (float16)(t->plane.b[1]));
   const TwoFloats c = two_floats((float16)(t->plane.c[0]), (float16)(t->plane.c[1]));
-  return interpolated(a, b, c, from_longs(corner.area - part_b - part_c), from_longs(part_b), from_longs(part_c));
+  return interpolated(a, b, c, from_longs(r->corner.area - part_b - part_c), from_longs(part_b), from_longs(part_c));
 }
-ALWAYS_INLINE Depths depths_of_samples(global const LargeTriangle* t, TileDepth corner, int column, int row) {
-  return min(max(key_of(normalized_depth_of_samples(t, corner, column, row)), (uint16)(t->plane.min_key)),
-             (uint16)(t->plane.max_key));
+ALWAYS_INLINE Depths depths_of_samples(const SampleRow* r, int vector) {
+  return min(max(key_of(normalized_depth_of_samples(r, vector)), (uint16)(r->triangle->plane.min_key)),
+             (uint16)(r->triangle->plane.max_key));
 }
-ALWAYS_INLINE int16 samples_in_range(global const LargeTriangle* t, TileDepth corner, int column, int row) {
-  if (t->plane.in_range) return (int16)(-1);
-  return normalized_depth_of_samples(t, corner, column, row).high >= 0.0f;
+ALWAYS_INLINE int16 samples_in_range(const SampleRow* r, int vector) {
+  if (r->triangle->plane.in_range) return (int16)(-1);
+  return normalized_depth_of_samples(r, vector).high >= 0.0f;
 }
 #else
-ALWAYS_INLINE Depths depths_of_samples(global const LargeTriangle* t, TileDepth corner, int column, int row) {
-  const float16 x = convert_float16(LANE / SAMPLES + column) +
-                    convert_float16(SAMPLE_X_OF_LANES) * PIXELS_OF_SAMPLE_UNIT,
-                y = (float)row + convert_float16(SAMPLE_Y_OF_LANES) * PIXELS_OF_SAMPLE_UNIT;
-  return fma((float16)(t->plane.depth_dx), x, fma((float16)(t->plane.depth_dy), y, (float16)(corner)));
+typedef struct {
+  float16 depth_dx, x, depth_at_0;  // x of the first vector; where x is 0
+} SampleRow;
+ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth corner, int column, int row) {
+  SampleRow samples;
+  samples.depth_dx = t->plane.depth_dx;
+  samples.x = convert_float16(LANE / SAMPLES + column) + convert_float16(SAMPLE_X_OF_LANES) * PIXELS_OF_SAMPLE_UNIT;
+  samples.depth_at_0 = fma((float16)(t->plane.depth_dy),
+                           (float)row + convert_float16(SAMPLE_Y_OF_LANES) * PIXELS_OF_SAMPLE_UNIT, (float16)(corner));
+  return samples;
 }
-ALWAYS_INLINE int16 samples_in_range(global const LargeTriangle* t, TileDepth corner, int column, int row) {
-  return (int16)(-1);
+ALWAYS_INLINE Depths depths_of_samples(const SampleRow* r, int vector) {
+  return fma(r->depth_dx, r->x + (float)(vector * VECTOR_PIXELS), r->depth_at_0);
 }
+ALWAYS_INLINE int16 samples_in_range(const SampleRow* r, int vector) { return (int16)(-1); }
 #endif
 
 // The least and the greatest depth at the samples of boxes of pixels.
@@ -157,10 +185,13 @@ static inline void write_out_block(Tile tile, int block, uint content, global co
   }
   global const LargeTriangle* t = &large[content];
   const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
-  for (int i = 0; i < BLOCK_VECTORS; i++) {
-    tile.depth[block * BLOCK_VECTORS + i] =
-        depths_of_samples(t, corner, column_of(block) + i % SAMPLES * VECTOR_PIXELS, row_of(block) + i / SAMPLES);
-    tile.id[block * BLOCK_VECTORS + i] = t->id;
+  for (int row = 0; row < TILE_BLOCK; row++) {
+    const SampleRow samples = sample_row(t, corner, column_of(block), row_of(block) + row);
+    for (int k = 0; k < SAMPLES; k++) {
+      const int at = block * BLOCK_VECTORS + row * SAMPLES + k;
+      tile.depth[at] = depths_of_samples(&samples, k);
+      tile.id[at] = t->id;
+    }
   }
 }
 
@@ -179,23 +210,18 @@ ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global cons
     int16 value[3];
     FOR_THREE(e) value[e] = row_value[e];
     const int row_at = block * BLOCK_VECTORS + (y - row_of(block)) * SAMPLES;
-    for (int k = 0; k < SAMPLES; k++) {
+    const SampleRow samples = sample_row(t, corner, column, y);
+    _Pragma("unroll(4)") for (int k = 0; k < SAMPLES; k++) {
       const int at = row_at + k;
-      const Depths held = tile.depth[at];
-      int16 wins = (value[0] | value[1] | value[2]) >= 0;
-      FOR_THREE(e) value[e] += edges->step_x[e] * VECTOR_PIXELS;
-      if (!any_lane(wins)) {
-        min_held = min(min_held, held);
-        continue;
-      }
-      const Depths depth = depths_of_samples(t, corner, column + k * VECTOR_PIXELS, y);
+      const Depths held = tile.depth[at], depth = depths_of_samples(&samples, k);
       const uint16 held_id = tile.id[at];
-      wins &= samples_in_range(t, corner, column + k * VECTOR_PIXELS, y);
+      int16 wins = ((value[0] | value[1] | value[2]) >= 0) & samples_in_range(&samples, k);
       if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
       const Depths kept = select(held, depth, wins);
       tile.depth[at] = kept;
       tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
       min_held = min(min_held, kept);
+      FOR_THREE(e) value[e] += edges->step_x[e] * VECTOR_PIXELS;
     }
     FOR_THREE(e) row_value[e] += edges->step_y[e];
   }

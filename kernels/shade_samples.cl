@@ -42,6 +42,7 @@ typedef struct {
   uint centroid[MAX_PARTS];  // from the centre, sub-pixels: x in the lower half, y in the upper one
 } Parts;
 #define PLACE_BITS 8
+#define MANY_PARTS 10  // of a row: they are shaded before they are collected
 
 // The sums of a row of blocks: R, G, B, A of each pixel.
 #define BLOCK_PIXELS (TILE_BLOCK * TILE_BLOCK)
@@ -97,45 +98,92 @@ ALWAYS_INLINE int16 mean_offset(int16 sum, float16 count) {
   return convert_int16_rte(convert_float16(sum * SAMPLE_UNIT) / count);
 }
 
-// Lists the parts of 16 pixels of row y of the picture.
-ALWAYS_INLINE void list_parts(global const FrameConstants* frame, uint16* ids, int row_in_block, int y, Parts* parts,
-                              Sums* sums) {
+// The colours of parts; `waiting` are those that there are.
+COMPILED_ONCE Rgb colors_of_parts(const Shader* s, const Pixels* places, uint16 ids, int16 waiting) {
+  const Lanes of_lanes = lanes_of(ids);
+  const uint first_id = of_lanes.lane[first_lane(waiting)];
+  const uint16 all = select((uint16)(first_id), ids, as_uint16(waiting));
+  if (any_lane(all != first_id)) return mixed_color(s, *places, all);
+  Surface surface;
+  gather_surface(s, draw_of(s, first_id), lanes_of(first_id), true, &surface);
+  return surface_color(s, &surface, *places);
+}
+
+ALWAYS_INLINE void add_color(Rgb color, int16 lanes, float16 samples, Rgb* sum) {
+  sum->r = select(sum->r, fma(color.r, samples, sum->r), lanes);
+  sum->g = select(sum->g, fma(color.g, samples, sum->g), lanes);
+  sum->b = select(sum->b, fma(color.b, samples, sum->b), lanes);
+}
+
+// Where all colours are those of faces.
+ALWAYS_INLINE void add_faces(const Shader* s, uint16 ids, int16 lanes, float16 samples, Rgb* sum) {
+  const uint first_id = lanes_of(ids).lane[first_lane(lanes)];
+  const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(lanes)) >> PIECE_BITS);
+  int16 r, g, b, unused;
+  GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
+  Rgb color;
+  color.r = as_float16(r);
+  color.g = as_float16(g);
+  color.b = as_float16(b);
+  add_color(color, lanes, samples, sum);
+}
+
+// Sums up 16 pixels of a row, whose first is (x, y) of the picture, or lists parts of them. Parts that are many in a
+// row, and the first of their pixels, are shaded at once.
+ALWAYS_INLINE void sum_up_row(const Shader* s, uint16* ids, int x, int y, int row_in_block, Parts* parts, Sums* sums) {
   split_samples(ids);
+  Rgb sum;
+  sum.r = sum.g = sum.b = 0.0f;
   float16 empty = 0.0f;
-  _Pragma("unroll") for (int s = 0; s < SAMPLES; s++) {
-    const int16 none = ids[s] == NO_ID;
-    empty -= convert_float16(none);
-    int16 first = ~none;
-    _Pragma("unroll") for (int before = 0; before < s; before++) first &= ids[before] != ids[s];
-    if (!any_lane(first)) continue;
-    int16 count = 0, x = 0, y_sum = 0;
-    _Pragma("unroll") for (int other = s; other < SAMPLES; other++) {
-      const int16 same = ids[other] == ids[s];
-      count -= same;
-      x += same & sample_x[other];
-      y_sum += same & sample_y[other];
-    }
-    const float16 samples = convert_float16(count);
-    const uint16 centroid = (as_uint16(mean_offset(x, samples)) & 0xffffu) | as_uint16(mean_offset(y_sum, samples))
-                                                                                 << 16;
-    add_parts(parts, first, ids[s], as_uint16(LANE + row_in_block * TILE_BLOCK) | as_uint16(count) << PLACE_BITS,
-              centroid);
-  }
-  // What there is without them.
-  float16 r = 0.0f, g = 0.0f, b = 0.0f, a = (float)SAMPLES - empty;
-  if (frame->has_background) {
-    const ushort4 halves = background_rows(frame)[y];
+  _Pragma("unroll") for (int i = 0; i < SAMPLES; i++) empty -= convert_float16(ids[i] == NO_ID);
+  float16 alpha = (float)SAMPLES - empty;
+  if (s->frame->has_background) {
+    const ushort4 halves = background_rows(s->frame)[y];
     const float4 behind = vload_half4(0, (private const half*)&halves);
-    r = fma((float16)(behind.x), empty, r);
-    g = fma((float16)(behind.y), empty, g);
-    b = fma((float16)(behind.z), empty, b);
-    a = fma((float16)(behind.w), empty, a);
+    sum.r = fma((float16)(behind.x), empty, sum.r);
+    sum.g = fma((float16)(behind.y), empty, sum.g);
+    sum.b = fma((float16)(behind.z), empty, sum.b);
+    alpha = fma((float16)(behind.w), empty, alpha);
   }
-  store_pixels(r, g, b, a, &sums->pixel[row_in_block * TILE_BLOCK]);
+  const uint listed_before = parts->count;
+  _Pragma("unroll") for (int i = 0; i < SAMPLES; i++) {
+    int16 first = ids[i] != NO_ID;
+    _Pragma("unroll") for (int before = 0; before < i; before++) first &= ids[before] != ids[i];
+    const uint lanes = bits_of_mask(first);
+    if (!lanes) continue;
+    int16 count = 0;
+    _Pragma("unroll") for (int other = i; other < SAMPLES; other++) count -= ids[other] == ids[i];
+    const float16 samples = convert_float16(count);
+    if (s->frame->only_faces) {
+      add_faces(s, ids[i], first, samples, &sum);
+      continue;
+    }
+    int16 sum_x = 0, sum_y = 0;
+    _Pragma("unroll") for (int other = i; other < SAMPLES; other++) {
+      const int16 same = ids[other] == ids[i];
+      sum_x += same & sample_x[other];
+      sum_y += same & sample_y[other];
+    }
+    const int16 centroid_x = mean_offset(sum_x, samples), centroid_y = mean_offset(sum_y, samples);
+    if (parts->count == listed_before && popcount(lanes) >= MANY_PARTS) {
+      Pixels p;
+      p.x = (x + LANE) * SUBPIXELS + HALF_PIXEL;
+      p.y = y * SUBPIXELS + HALF_PIXEL;
+      p.centroid_x = centroid_x;
+      p.centroid_y = centroid_y;
+      p.centres_are_inside = false;
+      add_color(colors_of_parts(s, &p, ids[i], first), first, samples, &sum);
+    } else {
+      add_parts(parts, first, ids[i], as_uint16(LANE + row_in_block * TILE_BLOCK) | as_uint16(count) << PLACE_BITS,
+                (as_uint16(centroid_x) & 0xffffu) | as_uint16(centroid_y) << 16);
+    }
+  }
+  store_pixels(sum.r, sum.g, sum.b, alpha, &sums->pixel[row_in_block * TILE_BLOCK]);
 }
 
 // Shades the parts from `first` on, 16 at most, of a block whose first pixel is (x, y), and adds them to the sums.
 ALWAYS_INLINE void shade_parts(const Shader* s, const Parts* parts, uint first, int x, int y, Sums* sums) {
+  const uint count = min(parts->count - first, (uint)LANES);
   const uint16 ids = vload16(0, &parts->id[first]), places = vload16(0, &parts->place[first]);
   const int16 centroids = as_int16(vload16(0, &parts->centroid[first]));
   const int16 in_block = as_int16(places & (BLOCK_PIXELS - 1u));
@@ -145,18 +193,9 @@ ALWAYS_INLINE void shade_parts(const Shader* s, const Parts* parts, uint first, 
   p.centroid_x = centroids << 16 >> 16;
   p.centroid_y = centroids >> 16;
   p.centres_are_inside = false;
-  Rgb color;
-  const uint first_id = parts->id[first];
-  if (any_lane(ids != first_id)) {
-    color = mixed_color(s, p, ids);
-  } else {
-    Surface surface;
-    gather_surface(s, draw_of(s, first_id), lanes_of(first_id), true, &surface);
-    color = surface_color(s, &surface, p);
-  }
+  const Rgb color = colors_of_parts(s, &p, ids, LANE < (int)count);
   float4 color_of[LANES];
   store_pixels(color.r, color.g, color.b, 0.0f, color_of);
-  const uint count = min(parts->count - first, (uint)LANES);
   for (uint i = 0; i < count; i++) {
     const uint place = parts->place[first + i];
     float4* sum = &sums->pixel[place & (BLOCK_PIXELS - 1u)];
@@ -166,7 +205,6 @@ ALWAYS_INLINE void shade_parts(const Shader* s, const Parts* parts, uint first, 
 
 // All whole vectors of parts; or all there are.
 ALWAYS_INLINE void shade_waiting_parts(const Shader* s, Parts* parts, bool all, int x, int y, Sums* sums) {
-  if (all) vstore16((uint16)(NO_ID), 0, &parts->id[parts->count]);
   uint first = 0;
   for (; first + (all ? 1 : LANES) <= parts->count; first += LANES) shade_parts(s, parts, first, x, y, sums);
   const uint left = first < parts->count ? parts->count - first : 0;
@@ -191,7 +229,7 @@ static inline void add_up_block(const Shader* s, Tile tile, int block, int rows,
     _Pragma("unroll") for (int k = 0; k < SAMPLES; k++) others |= ids[k] != first_id;
     if (!any_lane(others)) continue;
     sums->mixed_rows |= 1u << row;
-    list_parts(s->frame, ids, row, y + row, parts, sums);
+    sum_up_row(s, ids, x, y + row, row, parts, sums);
     if (parts->count >= LANES) shade_waiting_parts(s, parts, false, x, y, sums);
   }
   if (parts->count) shade_waiting_parts(s, parts, true, x, y, sums);
@@ -254,6 +292,10 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   uint touched = 0;
   for (uint chunk = 0; chunk < chunks; chunk++) {
     const ChunkBins own = bins_of_chunk(chunk, frame, bins, (global Fragment*)sample_fragments, large);
+    if (chunk + 1 < chunks) {
+      const ChunkBins next = bins_of_chunk(chunk + 1, frame, bins, (global Fragment*)sample_fragments, large);
+      prefetch_fragments(next, next.fragment_heads[number]);
+    }
     merge_fragments(tile, own, own.fragment_heads[number], background_depth(frame), &touched);
   }
   if (touched) survey_blocks(tile, touched, &blocks);

@@ -28,12 +28,12 @@ static inline void add_fragments(Bins* bins, const SmallPlanes* planes, SmallRow
                                  int16 y, uint first_id) {
   int16 covered = mask != 0;
   const Lanes depth = lanes_of(as_uint16(small_depths(planes, row, column, &covered))),
-              depth_dx = lanes_of(as_uint16(planes->dx)), depth_dy = lanes_of(as_uint16(planes->dy)),
-              mask_of_lane = lanes_of(mask);
+              depth_dx = lanes_of(as_uint16(planes->dx)), depth_dy = lanes_of(as_uint16(planes->dy));
   const Lanes tile = lanes_of(as_uint16((y >> TILE_BITS) * bins->tiles_x + (x >> TILE_BITS)));
   const int16 in_x = x & (TILE - 1), in_y = y & (TILE - 1);
-  const Lanes place = lanes_of(as_uint16(((in_y / TILE_BLOCK * TILE_BLOCKS + in_x / TILE_BLOCK) << 8) |
-                                         ((in_y & (TILE_BLOCK - 1)) << 4) | (in_x & (TILE_BLOCK - 1))));
+  const int16 place = ((in_y / TILE_BLOCK * TILE_BLOCKS + in_x / TILE_BLOCK) << 8) | ((in_y & (TILE_BLOCK - 1)) << 4) |
+                      (in_x & (TILE_BLOCK - 1));
+  const Lanes place_and_mask = lanes_of(as_uint16(place) | mask << PLACE_IN_TILE_BITS);
   FOR_EACH_LANE(lane, covered) {
     const uint at = next_entry(&bins->fragments, tile.lane[lane]);
     if (at >= bins->fragments.capacity * PAGE) continue;
@@ -42,8 +42,7 @@ static inline void add_fragments(Bins* bins, const SmallPlanes* planes, SmallRow
     f.id = first_id + (uint)lane * PIECES;
     f.depth_dx = as_float(depth_dx.lane[lane]);
     f.depth_dy = as_float(depth_dy.lane[lane]);
-    f.place = place.lane[lane];
-    f.mask = mask_of_lane.lane[lane];
+    f.place_and_mask = place_and_mask.lane[lane];
     bins->fragments_of_pixels[at] = f;
   }
 }
