@@ -273,9 +273,9 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
     p->x += p->centroid_x & outside;
     p->y += p->centroid_y & outside;
     areas = areas_at(surface, p->x, p->y);
-    const float16 least = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
-                  most = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
-    const int16 positive = most + least >= 0.0f;
+    const float16 min_area = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
+                  max_area = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
+    const int16 positive = max_area + min_area >= 0.0f;
     FOR_THREE(i) {
       const int16 wrong = select(areas.corner[i] > 0.0f, areas.corner[i] < 0.0f, positive);
       areas.corner[i] = select(areas.corner[i], (float16)(0.0f), outside & wrong);

@@ -41,11 +41,19 @@ const Fault faults[] = {
     {"weight too many", [](Scene& s) { s.objects[0].morph.weights.push_back(1); }, "2 weights for 1 morph targets"},
     {"weight not finite", [](Scene& s) { s.objects[0].morph.weights[0] = nan; }, "weight"},
     {"track past the targets",
-     [](Scene& s) { s.objects[0].morph.tracks.push_back({1, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})}); },
+     [](Scene& s) {
+       s.objects[0].morph.tracks.push_back({1, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})});
+     },
      "target"},
     {"colour not finite", [](Scene& s) { s.objects[0].material.base_color.y = nan; }, "base colour"},
     {"no such shading", [](Scene& s) { s.objects[0].material.shading = static_cast<Shading>(9); }, "shading"},
     {"no such depth buffer", [](Scene& s) { s.image.depth_format = static_cast<DepthFormat>(9); }, "depth buffer"},
+    {"samples of no pattern", [](Scene& s) { s.image.samples = 3; },
+     "3 samples a pixel; 1, 2, 4, 8 or 16 are possible"},
+    {"no samples", [](Scene& s) { s.image.samples = 0; }, "0 samples a pixel"},
+    {"lines without width", [](Scene& s) { s.objects[0].material.line_width = 0; }, "lines 0 pixels wide"},
+    {"lines too wide", [](Scene& s) { s.objects[0].material.line_width = 257; }, "lines 257 pixels wide"},
+    {"line width not a number", [](Scene& s) { s.objects[0].material.line_width = nan; }, "pixels wide"},
     {"vertex index past the end", [](Scene& s) { s.meshes[0].triangles[2].y = 1000; }, "mesh"},
     {"position not finite", [](Scene& s) { s.meshes[0].positions[3].z = std::numeric_limits<float>::infinity(); },
      "mesh"},
@@ -66,12 +74,28 @@ const Fault faults[] = {
     {"parent past the end", [](Scene& s) { s.timeline.nodes[0].parent = 5; }, "parent"},
     {"camera node past the end", [](Scene& s) { s.timeline.camera.node = 5; }, "camera"},
     {"eye not finite", [](Scene& s) { s.timeline.camera.eye.x = nan; }, ""},
-    {"no field of view", [](Scene& s) { s.timeline.camera.projection = Perspective{0, 1, 10}; }, ""},
-    {"near behind far", [](Scene& s) { s.timeline.camera.projection = Perspective{45, 10, 1}; }, ""},
+    {"no field of view",
+     [](Scene& s) {
+       s.timeline.camera.projection = Perspective{0, 1, 10};
+     },
+     ""},
+    {"near behind far",
+     [](Scene& s) {
+       s.timeline.camera.projection = Perspective{45, 10, 1};
+     },
+     ""},
     {"rate of 0", [](Scene& s) { s.timeline.time.fps_numerator = 0; }, ""},
     {"light not finite", [](Scene& s) { s.timeline.lights[0].vector.x = nan; }, ""},
-    {"frames backwards", [](Scene& s) { s.frames = {{5, 1, 1}}; }, ""},
-    {"frames without a step", [](Scene& s) { s.frames = {{0, 5, 0}}; }, ""},
+    {"frames backwards",
+     [](Scene& s) {
+       s.frames = {{5, 1, 1}};
+     },
+     ""},
+    {"frames without a step",
+     [](Scene& s) {
+       s.frames = {{0, 5, 0}};
+     },
+     ""},
 };
 
 // What is said; "" where nothing is.

@@ -57,6 +57,13 @@ Scene with_samples(Scene scene, int samples) {
   return scene;
 }
 
+// With each coordinate from `low` to below `high`.
+glm::dvec2 random_point(test_support::Random& random, const glm::dvec2& low, const glm::dvec2& high) {
+  const double x = random.in(low.x, high.x);
+  const double y = random.in(low.y, high.y);
+  return {x, y};
+}
+
 // Pixel (x, y) of the picture is [x, x + 1) x [y, y + 1) of the xy plane, y down.
 SceneBuilder flat_picture(int width, int height) {
   SceneBuilder b(width, height);
@@ -113,10 +120,11 @@ TEST(SampleParity, EveryTestScene) {
 TEST(SampleParity, EveryDepthBuffer) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer(2);
   for (const DepthFormat format : depth_formats)
-    for (const int samples : {2, 8}) {
-      SCOPED_TRACE(std::string(name_of(format)) + " " + std::to_string(samples));
-      Scene soup = with_samples(triangle_soup(31, 400, 100, 70), samples);
+    for (const Shading shading : {Shading::smooth, Shading::wireframe}) {
+      SCOPED_TRACE(name_of(format));
+      Scene soup = with_samples(triangle_soup(31, 400, 100, 70), 4);
       soup.image.depth_format = format;
+      for (Object& object : soup.objects) object.material.shading = shading;
       EXPECT_TRUE(same_pixels(drawn(*reference, soup), drawn(*device, soup)));
     }
 }
@@ -179,8 +187,7 @@ TEST(SampleCoverage, IsTheNumberOfSamplesInside) {
     for (int i = 0; i < 300; ++i) {
       // A triangle over the middle pixel with corners on 1/16 pixel, so that samples lie on edges as well.
       glm::ivec2 c[3];
-      for (glm::ivec2& corner : c)
-        corner = {static_cast<int>(random.in(0, 3 * 16)), static_cast<int>(random.in(0, 3 * 16))};
+      for (glm::ivec2& corner : c) corner = glm::ivec2(random_point(random, {0, 0}, {3 * 16, 3 * 16}));
       const auto cross = [](glm::ivec2 u, glm::ivec2 v) { return u.x * v.y - u.y * v.x; };
       if (cross(c[1] - c[0], c[2] - c[0]) == 0) continue;
       if (cross(c[1] - c[0], c[2] - c[0]) < 0) std::swap(c[1], c[2]);  // clockwise on the screen, y down
@@ -307,8 +314,9 @@ TEST(SampleShading, ExtrapolatesNothing) {
   for (const int samples : several) {
     SceneBuilder b = flat_picture(width, height);
     for (int i = 0; i < 200; ++i) {
-      const glm::dvec2 from(random.in(0, width), random.in(0, height)), to(random.in(0, width), random.in(0, height));
-      const glm::dvec2 aside(random.in(-1, 1), random.in(-1, 1));
+      const glm::dvec2 from = random_point(random, {0, 0}, {width, height});
+      const glm::dvec2 to = random_point(random, {0, 0}, {width, height});
+      const glm::dvec2 aside = random_point(random, {-1, -1}, {1, 1});
       Mesh needle = polygon({from, to, from + aside}, width, height);
       // Steep: between 0.25 and 0.75 over less than a pixel.
       needle.colors = {glm::vec4(0.25f), glm::vec4(0.25f), glm::vec4(0.75f)};
@@ -366,7 +374,8 @@ TEST(SampleLines, CoverLengthTimesWidth) {
   const auto reference = make_reference_renderer();
   test_support::Random random(80);
   for (int i = 0; i < 100; ++i) {
-    const glm::dvec2 from(random.in(4, 20), random.in(4, 12)), to(random.in(4, 20), random.in(4, 12));
+    const glm::dvec2 from = random_point(random, {4, 4}, {20, 12});
+    const glm::dvec2 to = random_point(random, {4, 4}, {20, 12});
     const double length = glm::length(to - from), width = random.in(0.5, 3);
     const glm::dvec2 d = glm::abs(to - from);
     if (length < 1) continue;

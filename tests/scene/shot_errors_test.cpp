@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadShot{"ChannelTwice", "[image]\nchannels = [\"Z\", \"Z\"]", "2:18: channel \"Z\" is named twice"},
         BadShot{"NoChannel", "[image]\nchannels = []", "2:12: channels is empty; name RGBA, Z or both"},
         BadShot{"ChannelsText", "[image]\nchannels = \"RGBA\"", "2:12: channels is a string; an array is needed"},
+        BadShot{"NoSamples", "[image]\nsamples = 0", "2:11: samples is 0; 1, 2, 4, 8 or 16 are possible"},
+        BadShot{"SamplesAsText", "[image]\nsamples = \"4\"", "2:11: samples is a string; an integer is needed"},
         BadShot{"WrongSamples", "[image]\nsamples = 3", "2:11: samples is 3; 1, 2, 4, 8 or 16 are possible"},
         BadShot{"UnknownDepthBuffer", "[image]\ndepth_buffer = \"fixed23\"",
                 "2:16: unknown depth_buffer \"fixed23\"; did you mean \"fixed24\"?"},
