@@ -212,7 +212,8 @@ class DeviceRenderer : public Renderer {
                      });
       return;
     }
-    if (!changes.vertex_chunks.empty())
+    // A second pass finds the vertices of the first.
+    if (!constants.second_of_two || !changes.vertex_chunks.empty())
       launch(queue(), kernel({"project_vertices", "project_vertices"}, 1), cl::NDRange(changes.vertex_chunks.size()),
              one, frame, draws, targets, mesh_data, vertices_, attributes_, colors_, bins_);
     if (constants.clips) {
