@@ -49,8 +49,7 @@ static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, float
   f.depth_dx = depth_dx;
   f.depth_dy = depth_dy;
   const uint block = (uint)(y % TILE / TILE_BLOCK * TILE_BLOCKS + x % TILE / TILE_BLOCK);
-  f.place_and_mask =
-      mask << PLACE_IN_TILE_BITS | block << 8 | (uint)(y % TILE_BLOCK) << 4 | (uint)(x % TILE_BLOCK);
+  f.place_and_mask = mask << PLACE_IN_TILE_BITS | block << 8 | (uint)(y % TILE_BLOCK) << 4 | (uint)(x % TILE_BLOCK);
   bins->fragments_of_pixels[at] = f;
 }
 #endif

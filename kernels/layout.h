@@ -181,7 +181,7 @@ typedef struct {
 typedef struct {
   uint depth, id;            // bits of the depth at the pixel's centre
   float depth_dx, depth_dy;  // per pixel
-  uint place_and_mask;       // of the pixel in the tile: block << 8 | row << 4 | column; above, bit s: sample s is covered
+  uint place_and_mask;  // of the pixel in the tile: block << 8 | row << 4 | column; above, bit s: sample s is covered
 } SampleFragment;
 #define PLACE_IN_TILE_BITS 12
 

@@ -18,7 +18,7 @@ constant int sample_x[SAMPLES] = {SAMPLES_X}, sample_y[SAMPLES] = {SAMPLES_Y};  
 
 // First and last pixel of which a sample may lie in [low, high] sub-pixels.
 #define FIRST_PIXEL(low) (((low) + (SUBPIXELS - 1 - LAST_SAMPLE)) >> SUBPIXEL_BITS)
-#define LAST_PIXEL(high) (((high)-FIRST_SAMPLE) >> SUBPIXEL_BITS)
+#define LAST_PIXEL(high) (((high) - FIRST_SAMPLE) >> SUBPIXEL_BITS)
 
 // Where the next entry of a tile goes. A chunk keeps, for every tile, a list of pages of PAGE entries; page 0 stands
 // for "none". heads[tile] is the index behind the tile's newest entry, next[page] the page filled before it (layout.h).

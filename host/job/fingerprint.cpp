@@ -19,7 +19,8 @@ class SceneHasher {
   std::string hex() const { return hasher_.hex(); }
 
   template <class Value>
-  requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>) void add(Value value) {
+    requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>)
+  void add(Value value) {
     hasher_.add_row(&value, sizeof value);
   }
   void add(std::string_view text) {

@@ -36,12 +36,8 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.image.samples = 8; },
       [](Scene& s) { s.objects[0].material.line_width = 2; },
       [](Scene& s) { s.image.background = Background{}; },
-      [](Scene& s) {
-        s.image.background = Background{{0, 0, 0}, {0, 0, 1}};
-      },
-      [](Scene& s) {
-        s.image.background = Background{{0, 0, 1}, {0, 0, 0}};
-      },
+      [](Scene& s) { s.image.background = Background{{0, 0, 0}, {0, 0, 1}}; },
+      [](Scene& s) { s.image.background = Background{{0, 0, 1}, {0, 0, 0}}; },
       [](Scene& s) { s.accuracy_pixels = 0.01; },
       [](Scene& s) { s.timeline.time.fps_numerator = 24; },
       [](Scene& s) { s.timeline.time.fps_denominator = 2; },
@@ -60,40 +56,22 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.objects[0].morph.weights[0] = 0.5; },
       [](Scene& s) { s.objects[0].morph.elastic = Elastic{}; },
       [](Scene& s) { s.objects[0].morph.elastic = Elastic{.rest = EdgeRest::base}; },
-      [](Scene& s) {
-        s.morph(0, "cube", Track::linear(s.timeline.time, {{0, 0.0}, {11, 1.0}}));
-      },
-      [](Scene& s) {
-        s.objects[0].morph.tracks[0].track = Track::linear(s.timeline.time, {{0, 0.0}, {10, 0.5}});
-      },
-      [](Scene& s) {
-        s.objects[0].morph.tracks[0].track = Track::step(s.timeline.time, {{0, 0.0}, {10, 1.0}});
-      },
-      [](Scene& s) {
-        s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.5});
-      },
-      [](Scene& s) {
-        s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.25});
-      },
+      [](Scene& s) { s.morph(0, "cube", Track::linear(s.timeline.time, {{0, 0.0}, {11, 1.0}})); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = Track::linear(s.timeline.time, {{0, 0.0}, {10, 0.5}}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = Track::step(s.timeline.time, {{0, 0.0}, {10, 1.0}}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.5}); },
+      [](Scene& s) { s.objects[0].morph.tracks[0].track = s.objects[0].morph.tracks[0].track.on_spring({5, 0.25}); },
       [](Scene& s) { s.timeline.nodes[0].static_transform[3].x = 1; },
       [](Scene& s) { s.timeline.nodes[0].translation.x = 1; },
-      [](Scene& s) {
-        s.timeline.nodes[0].rotation = {0.6, 0.8, 0, 0};
-      },
+      [](Scene& s) { s.timeline.nodes[0].rotation = {0.6, 0.8, 0, 0}; },
       [](Scene& s) { s.timeline.nodes[0].scale.z = 2; },
-      [](Scene& s) {
-        s.timeline.nodes[0].visible_track = Track::step(s.timeline.time, {{0, 1.0}, {5, 0.0}});
-      },
+      [](Scene& s) { s.timeline.nodes[0].visible_track = Track::step(s.timeline.time, {{0, 1.0}, {5, 0.0}}); },
       [](Scene& s) { s.timeline.camera.eye.x = 1; },
       [](Scene& s) { s.timeline.camera.projection = Perspective{.fovy_degrees = 46}; },
       [](Scene& s) { s.timeline.camera.projection = HorizontalPerspective{}; },
       [](Scene& s) { s.timeline.camera.projection = Oblique{}; },
-      [](Scene& s) {
-        s.timeline.camera.projection = Oblique{.shear = {0.5, 0}};
-      },
-      [](Scene& s) {
-        s.timeline.camera.fovy_track = Track::linear(s.timeline.time, {{0, 45.0}, {9, 50.0}});
-      },
+      [](Scene& s) { s.timeline.camera.projection = Oblique{.shear = {0.5, 0}}; },
+      [](Scene& s) { s.timeline.camera.fovy_track = Track::linear(s.timeline.time, {{0, 45.0}, {9, 50.0}}); },
       [](Scene& s) { s.timeline.lights[0].color.r = 0.5; },
       [](Scene& s) { s.timeline.lights[0].kind = LightKind::point; },
       [](Scene& s) { s.timeline.ambient.b = 0.5; },

@@ -41,9 +41,7 @@ const Fault faults[] = {
     {"weight too many", [](Scene& s) { s.objects[0].morph.weights.push_back(1); }, "2 weights for 1 morph targets"},
     {"weight not finite", [](Scene& s) { s.objects[0].morph.weights[0] = nan; }, "weight"},
     {"track past the targets",
-     [](Scene& s) {
-       s.objects[0].morph.tracks.push_back({1, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})});
-     },
+     [](Scene& s) { s.objects[0].morph.tracks.push_back({1, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})}); },
      "target"},
     {"colour not finite", [](Scene& s) { s.objects[0].material.base_color.y = nan; }, "base colour"},
     {"no such shading", [](Scene& s) { s.objects[0].material.shading = static_cast<Shading>(9); }, "shading"},
@@ -74,28 +72,12 @@ const Fault faults[] = {
     {"parent past the end", [](Scene& s) { s.timeline.nodes[0].parent = 5; }, "parent"},
     {"camera node past the end", [](Scene& s) { s.timeline.camera.node = 5; }, "camera"},
     {"eye not finite", [](Scene& s) { s.timeline.camera.eye.x = nan; }, ""},
-    {"no field of view",
-     [](Scene& s) {
-       s.timeline.camera.projection = Perspective{0, 1, 10};
-     },
-     ""},
-    {"near behind far",
-     [](Scene& s) {
-       s.timeline.camera.projection = Perspective{45, 10, 1};
-     },
-     ""},
+    {"no field of view", [](Scene& s) { s.timeline.camera.projection = Perspective{0, 1, 10}; }, ""},
+    {"near behind far", [](Scene& s) { s.timeline.camera.projection = Perspective{45, 10, 1}; }, ""},
     {"rate of 0", [](Scene& s) { s.timeline.time.fps_numerator = 0; }, ""},
     {"light not finite", [](Scene& s) { s.timeline.lights[0].vector.x = nan; }, ""},
-    {"frames backwards",
-     [](Scene& s) {
-       s.frames = {{5, 1, 1}};
-     },
-     ""},
-    {"frames without a step",
-     [](Scene& s) {
-       s.frames = {{0, 5, 0}};
-     },
-     ""},
+    {"frames backwards", [](Scene& s) { s.frames = {{5, 1, 1}}; }, ""},
+    {"frames without a step", [](Scene& s) { s.frames = {{0, 5, 0}}; }, ""},
 };
 
 // What is said; "" where nothing is.

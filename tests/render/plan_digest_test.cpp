@@ -76,26 +76,11 @@ const std::vector<Change> changes_of_pixels{
     {"base colour", [](FramePlan& p) { p.draws[0].base_color[3] = 0; }},
     {"light per pixel", [](FramePlan& p) { p.draws[0].lit_per_pixel = true; }},
     {"vertex colours", [](FramePlan& p) { p.draws[0].vertex_colors = true; }},
-    {"target",
-     [](FramePlan& p) {
-       p.draws[1].targets.push_back({1, 1.0f, 0.0f});
-     }},
-    {"target's number",
-     [](FramePlan& p) {
-       replace_target(p.draws[0], {1, 0.5f, -0.5f});
-     }},
-    {"target's weight",
-     [](FramePlan& p) {
-       replace_target(p.draws[0], {0, 1.0f, -0.5f});
-     }},
-    {"target's base weight",
-     [](FramePlan& p) {
-       replace_target(p.draws[0], {0, 0.5f, 1.0f});
-     }},
-    {"rest of the target's weight",
-     [](FramePlan& p) {
-       replace_target(p.draws[0], {0, 0.5f, -0.5f, 1.0f});
-     }},
+    {"target", [](FramePlan& p) { p.draws[1].targets.push_back({1, 1.0f, 0.0f}); }},
+    {"target's number", [](FramePlan& p) { replace_target(p.draws[0], {1, 0.5f, -0.5f}); }},
+    {"target's weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 1.0f, -0.5f}); }},
+    {"target's base weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 0.5f, 1.0f}); }},
+    {"rest of the target's weight", [](FramePlan& p) { replace_target(p.draws[0], {0, 0.5f, -0.5f, 1.0f}); }},
     {"vertex form",
      [](FramePlan& p) {
        VertexAccuracy accuracy;
@@ -129,9 +114,7 @@ const std::vector<Change> changes_of_pixels{
        p.draws[0].displaced = std::make_shared<DisplacedPositions>(displaced);
      }},
     {"background",
-     [](FramePlan& p) {
-       p.background = std::make_shared<std::vector<BackgroundRow>>(48, BackgroundRow{1, 2, 3, 4});
-     }},
+     [](FramePlan& p) { p.background = std::make_shared<std::vector<BackgroundRow>>(48, BackgroundRow{1, 2, 3, 4}); }},
     {"another row of the background",
      [](FramePlan& p) {
        auto rows = std::make_shared<std::vector<BackgroundRow>>(48, BackgroundRow{1, 2, 3, 4});

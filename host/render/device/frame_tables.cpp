@@ -198,7 +198,7 @@ void renew_targets(const FramePlan& plan, const MeshStore& meshes, FrameTables& 
   }
 }
 
-template <uint layout::DrawConstants::*count>
+template <uint layout::DrawConstants::* count>
 std::vector<uint> numbers_of_draws(const std::vector<layout::DrawConstants>& draws) {
   std::vector<uint> numbers;
   for (std::size_t draw = 0; draw < draws.size(); ++draw)
