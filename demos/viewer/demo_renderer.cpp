@@ -29,7 +29,7 @@ DemoRenderer::DemoRenderer(const std::string& device, int threads) {
   } else {
     SessionOptions options;
     options.device = device;
-    options.threads = prepare_process(threads);
+    options.threads = threads;
     session_ = Session::open(options);
     renderer_ = make_device_renderer(session_);
   }

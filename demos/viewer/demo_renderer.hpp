@@ -11,7 +11,8 @@ namespace morphcl::viewer {
 
 class DemoRenderer {
  public:
-  // `device`: "auto", "reference", or as SessionOptions::device. Throws what Session::open() throws.
+  // `device`: "auto", "reference", or as SessionOptions::device; for all but the reference the process is prepared
+  // before (prepare_process). Throws what Session::open() throws.
   DemoRenderer(const std::string& device, int threads);
   DemoRenderer(const DemoRenderer&) = delete;
   DemoRenderer& operator=(const DemoRenderer&) = delete;

@@ -16,11 +16,23 @@
 #include "host/standard_streams.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
+#include "morphcl/session.hpp"
 
 namespace morphcl::viewer {
 namespace {
 
+// Sets variables of the environment and starts a process, so it comes before the window, whose driver has threads.
+void prepare(const DemoOptions& options) {
+  if (options.device == "reference") return;
+  try {
+    prepare_process(options.threads);
+  } catch (const Error& error) {
+    if (options.device != "auto" || error.kind() != ErrorKind::no_device) throw;  // the reference does without
+  }
+}
+
 void run(const DemoSettings& settings, const DemoOptions& options) {
+  prepare(options);
   std::unique_ptr<Window> window;
   if (!options.headless) window = std::make_unique<Window>(settings.name, options.size);
 
