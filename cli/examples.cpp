@@ -21,7 +21,7 @@ constexpr std::array<Examples, 8> all_examples{{
   morphcl render demos/pyramid_to_cube.toml --frames 0-100x25 --size 640x360 -o out/cube.####.exr
   morphcl render demos/pyramid_to_cube.toml --frames 0-100x10 --size 640x360 -o out/cube.####.exr --resume
   morphcl render demos/wireframe.toml --frames 0-20x5 -o out/wire.####.png --png-bits 16
-  morphcl render demos/teapots.toml --frames 0,40,80 --size 320x180 -o out/pots.####.exr --contact-sheet out/pots.png)"},
+  morphcl render demos/teapots.toml --frames 0,40,80 --size 320x180 -o out/pots.####.exr --contact-sheet pots.png)"},
     {"plan", R"(
   morphcl plan demos/pyramid_to_cube.toml --frame 57
   morphcl plan demos/teapots.toml --channels RGBA --json)"},
