@@ -1,8 +1,6 @@
 #include "host/leftovers.hpp"
 
-#include <filesystem>
 #include <mutex>
-#include <system_error>
 #include <utility>
 
 namespace morphcl {
@@ -41,13 +39,10 @@ Leftover::~Leftover() {
   list.paths.erase(entry_);
 }
 
-void remove_leftovers() {
+std::vector<std::string> claim_leftovers() {
   LeftoverList& list = leftover_list();
   list.mutex.lock();  // and it stays locked
-  for (const std::string& path : list.paths) {
-    std::error_code failure;
-    std::filesystem::remove_all(path, failure);
-  }
+  return {list.paths.begin(), list.paths.end()};
 }
 
 }  // namespace morphcl

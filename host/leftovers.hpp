@@ -4,6 +4,7 @@
 #include <functional>
 #include <list>
 #include <string>
+#include <vector>
 
 namespace morphcl {
 
@@ -12,7 +13,7 @@ namespace morphcl {
 class Leftover {
  public:
   explicit Leftover(std::string path);
-  // The same of what `make` makes, which is then either on the list or not made: remove_leftovers() leaves no gap.
+  // The same of what `make` makes, which is then either on the list or not made: there is no gap.
   Leftover(std::string path, const std::function<void()>& make);
   ~Leftover();
   Leftover(const Leftover&) = delete;
@@ -24,8 +25,8 @@ class Leftover {
   std::list<std::string>::iterator entry_;
 };
 
-// Removes all of them. From then on no thread of this process makes another one or lets go of one: it waits instead,
-// for ever. So it is for who ends the process by _exit() next. Not for signal handlers.
-void remove_leftovers();
+// All of them, for who removes them and ends the process by _exit() or exec(). From then on no thread of this process
+// makes another one or lets go of one: it waits instead, for ever. Not for signal handlers.
+std::vector<std::string> claim_leftovers();
 
 }  // namespace morphcl

@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <thread>
 
+#include "host/end_process.hpp"
+#include "tests/support/exit_code_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl::testing {
@@ -42,6 +45,30 @@ TEST(ProcessFolder, GoesWithItsProcessButNotWithAForkedChild) {
   waitpid(owner, &status, 0);
   EXPECT_EQ(status, 0) << "the child removed its parent's folder";
   EXPECT_TRUE(fs::is_empty(parent.path()));
+}
+
+// As the driver's compiler does it: folders, with those above them, and files in them.
+void write_for_ever(const fs::path& folder) {
+  for (int i = 0;; ++i) {
+    const fs::path below = folder / std::to_string(i % 100) / "below";
+    std::error_code failure;
+    fs::create_directories(below, failure);
+    std::ofstream(below / std::to_string(i)) << i;
+  }
+}
+
+TEST(ProcessFolder, GoesWithAProcessThatEndsWhileThreadsWriteIntoIt) {
+  const TemporaryFolder parent;
+  for (int round = 0; round < 10; ++round) {
+    const int code = test_support::exit_code_of([&] {
+      const fs::path folder = make_process_folder(parent.path(), "own");
+      for (int i = 0; i < 3; ++i) std::thread(write_for_ever, folder).detach();
+      while (!fs::exists(folder / "99")) std::this_thread::yield();
+      end_process(7);
+    });
+    EXPECT_EQ(code, 7);
+    ASSERT_EQ(parent.names(), std::set<std::string>{}) << "round " << round;
+  }
 }
 
 TEST(ProcessFolder, OfAKilledProcessIsRemovedByTheNext) {

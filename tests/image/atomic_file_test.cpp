@@ -15,6 +15,7 @@
 #include <cstring>
 #include <functional>
 
+#include "host/end_process.hpp"
 #include "host/temporary_file.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
@@ -236,8 +237,7 @@ TEST(AtomicFile, IsNotLeftBehindByAProcessThatEndsAtOnce) {
   const pid_t pid = fork();
   if (pid == 0) {
     const TemporaryFile file((folder / "a").string(), 0666);
-    if (file.error() == 0) remove_leftovers();
-    _exit(file.error());
+    end_process(file.error());
   }
   int status = -1;
   waitpid(pid, &status, 0);
