@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -141,9 +140,12 @@ void MorphTree::search_below(std::size_t level, std::size_t index, Search& searc
   const std::size_t first = index * fan_out, count = levels_[level - 1].size() / sets_;
   std::array<std::pair<double, std::size_t>, fan_out> below;
   std::size_t boxes = 0;
-  for (std::size_t i = first; i < std::min(count, first + fan_out); ++i)
-    below[boxes++] = {reach(level - 1, i, search), i};
-  std::sort(below.begin(), below.begin() + boxes, std::greater<>());
+  for (std::size_t i = first; i < std::min(count, first + fan_out); ++i) {
+    const std::pair<double, std::size_t> box = {reach(level - 1, i, search), i};
+    std::size_t place = boxes++;
+    for (; place > 0 && below[place - 1] < box; --place) below[place] = below[place - 1];
+    below[place] = box;
+  }
   for (std::size_t i = 0; i < boxes && below[i].first > search.best.distance; ++i)
     search_below(level - 1, below[i].second, search);
 }
