@@ -30,7 +30,7 @@ bool is_placed(const ShotTable& table) {
     if (table.has(key)) return true;
   bool moves = false;
   table.for_each("track", [&](const ShotValue& track) {
-    const std::string& target = TrackReader::target(TrackReader::table(track)).text();
+    const std::string target = TrackReader::target(TrackReader::table(track)).text();
     moves |= target == "eye" || target == "target" || target == "up";
   });
   return moves;
