@@ -13,7 +13,9 @@
 #include "morphcl/error.hpp"
 #include "morphcl/job.hpp"
 #include "morphcl/planner.hpp"
+#include "morphcl/solids.hpp"
 #include "tests/render/parity.hpp"
+#include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/render/test_scenes.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -117,6 +119,35 @@ TEST(AutoRenderer, AFrameThatNeedsAnotherKernelDoesNotWaitForIt) {
   EXPECT_EQ(turns(soup), std::vector<std::string>(2, "reference"));
   waits = true;
   EXPECT_EQ(turns(soup), std::vector(2, device_name()));
+}
+
+// Those that other scenes need are not compiled with them.
+TEST(AutoRenderer, AFrameThatNeedsAnotherKernelHasThatAloneCompiled) {
+  const test_support::TemporaryFolder folder;
+  std::shared_ptr<Session> session;
+  AutoSettings settings = settings_with(device_from(0));
+  settings.options.cache_dir = folder.path().string();
+  settings.open = [&session](const SessionOptions& options) { return session = Session::open(options); };
+  const auto renderer = make_auto_renderer(settings);
+  const auto scene = [](double distance) {
+    SceneBuilder builder(auto_width, auto_height);
+    builder.add(make_torus({96, 48}), Shading::unlit);
+    return builder.look({0, 0, distance}).scene();
+  };
+  const Scene outside = scene(4), inside = scene(0.65);
+  const Plan whole = plan_frame(outside, 0), cut = plan_frame(inside, 0);
+  EXPECT_FALSE(whole->clips);
+  EXPECT_TRUE(cut->clips);
+  draw_and_compare(*renderer, outside, {0});
+  const auto compiled = [&session](const char* stage, const char* name) {
+    return is_compiled(*session, kernel_source(stage), name, "");
+  };
+  EXPECT_TRUE(compiled("bin_primitives", "bin_primitives"));
+  EXPECT_FALSE(compiled("clip_primitives", "clip_primitives"));
+  draw_and_compare(*renderer, inside, {0});
+  EXPECT_TRUE(compiled("clip_primitives", "clip_primitives"));
+  for (const char* other : {"light_and_bin_primitives", "project_light_and_bin"})
+    EXPECT_FALSE(compiled("bin_primitives", other)) << other;
 }
 
 TEST(AutoRenderer, ADeviceThatRoundsDifferentlyTakesNoPart) {

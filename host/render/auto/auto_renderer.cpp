@@ -116,11 +116,11 @@ class Turns : public AutoRenderer {
 
   // False when the frame is not drawn yet, and there is more to choose from, or less.
   bool draw_as_chosen(const FramePlan& plan, FrameBuffer& frame) {
-    const FrameKernels kernels = to_prepare(plan);
-    const Situation now = situation(plan, kernels);
+    const FrameKernels needed = needed_by(plan);
+    const Situation now = situation(plan, missing_of(needed));
     const Choice choice = settings_.choose(now);
     if (now.device == DeviceState::ready && choice != Choice::reference) return draw_on_device(plan, frame);
-    if (now.device == DeviceState::closed && (choice == Choice::prepare || choice == Choice::wait)) start(kernels);
+    if (now.device == DeviceState::closed && (choice == Choice::prepare || choice == Choice::wait)) start(needed);
     if (now.device != DeviceState::out && choice == Choice::wait) {
       preparation_.wait();
       return false;
@@ -135,10 +135,15 @@ class Turns : public AutoRenderer {
     return preparation_.session() && kernels.empty() ? DeviceState::ready : DeviceState::closed;
   }
 
-  // What has to be compiled before the device can draw this plan, as far as is known. Before it is open: all kernels.
-  FrameKernels to_prepare(const FramePlan& plan) {
+  // What the device draws this plan with, as far as is known.
+  FrameKernels needed_by(const FramePlan& plan) const {
     FrameKernels needed = frame_kernels(plan);
     needed.insert(found_missing_.begin(), found_missing_.end());
+    return needed;
+  }
+
+  // What of it has to be compiled. Before the device is open: all kernels.
+  FrameKernels missing_of(const FrameKernels& needed) const {
     const std::shared_ptr<Session> session = preparation_.session();
     if (preparation_.is_getting_ready() || !session) return needed;
     FrameKernels missing;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <system_error>
@@ -133,21 +134,22 @@ void DevicePreparation::open() {
 
 void DevicePreparation::compile(const FrameKernels& kernels) {
   const std::shared_ptr<Session> opened = session();
+  const auto is_missing = [&](const FrameKernel& kernel) {
+    return !is_compiled(*opened, kernel_source(kernel.stage), kernel.name, kernel.options);
+  };
   const auto renderer = make_device_renderer(opened, [&](const FrameKernel& kernel) {
     if (stop_) throw Stopped();
-    if (is_compiled(*opened, kernel_source(kernel.stage), kernel.name, kernel.options)) return;
+    if (!is_missing(kernel)) return;
     const std::lock_guard lock(mutex_);
     compiling_ = true;
   });
-  FrameKernels missing;
-  for (const FrameKernel& kernel : kernels)
-    if (!is_compiled(*opened, kernel_source(kernel.stage), kernel.name, kernel.options)) missing.insert(kernel);
-  if (missing.empty()) return;
+  if (std::none_of(kernels.begin(), kernels.end(), is_missing)) return;
   {
     const std::lock_guard lock(mutex_);
     unstored_ = true;
   }
-  const KernelSamples samples(missing);
+  // Of all of them: a stage is started with the kernels that it comes with in this frame, and with no others.
+  const KernelSamples samples(kernels);
   for (const FramePlan& plan : samples.plans()) {
     const Plan sample(plan);
     FrameBuffer frame = sample.make_frame();

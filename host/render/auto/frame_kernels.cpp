@@ -121,14 +121,13 @@ KernelSamples::KernelSamples(const FrameKernels& kernels)
   const DepthFormat format = depth_format_of(kernels);
   const bool clips = wanted("count_clipped") || wanted("clip_primitives");
   const Mesh& in_stages = clips ? one_chunk_ : many_chunks_;
+  const bool stages = clips || wanted("project_vertices"), faces = wanted("light_and_bin_primitives");
   if (wanted("project_light_and_bin")) plans_.push_back(sample_plan(one_chunk_, Shading::flat, false, format));
-  if (wanted("light_and_bin_primitives")) plans_.push_back(sample_plan(in_stages, Shading::flat, clips, format));
-  if (wanted("bin_primitives")) plans_.push_back(sample_plan(in_stages, Shading::unlit, clips, format));
-  // Stages that come with others have these by now.
-  if (plans_.empty() && !kernels.empty()) {
-    const bool stages = clips || wanted("project_vertices");
-    plans_.push_back(sample_plan(stages ? in_stages : one_chunk_, Shading::flat, clips, format));
-  }
+  if (faces) plans_.push_back(sample_plan(in_stages, Shading::flat, clips, format));
+  // Where faces are as they were, bin_primitives comes with the others as well.
+  if (wanted("bin_primitives") || (stages && !faces))
+    plans_.push_back(sample_plan(in_stages, Shading::unlit, clips, format));
+  if (plans_.empty() && !kernels.empty()) plans_.push_back(sample_plan(one_chunk_, Shading::flat, clips, format));
 }
 
 }  // namespace morphcl
