@@ -64,6 +64,10 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
   image("--depth-buffer", scene.depth_buffer,
         "What decides which surface is nearest: reversed_float, float, fixed16, fixed24, fixed32; default: the shot's")
       ->type_name("NAME");
+  image("--z-error", scene.z_error,
+        "Relative error that Z of EXR frames is rounded within, so that it compresses: above 0, at most 0.1; default: "
+        "the shot's, none for a model")
+      ->type_name("E");
   command
       .add_option("--fps", scene.fps,
                   "Frames per second, N or N/D, each 1 to 1000000; default: the shot's, 25 for a model")

@@ -15,6 +15,7 @@
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "morphcl/job.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl::cli {
 
@@ -102,9 +103,22 @@ void set_channels(const std::string& list, ImageSettings& image) {
           ErrorKind::usage, "--channels",
           fmt::format("'{}' is {}; RGBA, Z or RGBA,Z", name, known ? "not drawn by this version" : "no channel"));
     }
-    if (comma == std::string_view::npos) return;
+    if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
+  if (!image.depth) image.z_error = 0;
+}
+
+void set_z_error(const std::string& text, ImageSettings& image) {
+  double error = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), error);
+  if (failure != std::errc() || end != text.data() + text.size() || !(error > 0 && error <= max_relative_error))
+    throw Error(ErrorKind::usage, "--z-error",
+                fmt::format("'{}' is no relative error of Z; a number above 0 and of at most {}, such as 1e-6", text,
+                            max_relative_error));
+  if (!image.depth)
+    throw Error(ErrorKind::usage, "--z-error", "is of channel Z, which is not among the channels; --channels RGBA,Z");
+  image.z_error = error;
 }
 
 void set_compression(const std::string& name, ImageSettings& image) {

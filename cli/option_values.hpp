@@ -21,5 +21,7 @@ int parse_png_bits(const std::string& text);                           // "8" or
 void set_channels(const std::string& list, ImageSettings& image);      // "RGBA", "Z" or "RGBA,Z"
 void set_compression(const std::string& name, ImageSettings& image);   // one of compression_names()
 void set_depth_buffer(const std::string& name, ImageSettings& image);  // the name of one of depth_formats
+// "1e-6": above 0, at most max_relative_error, and the image has Z. set_channels() without Z takes it back.
+void set_z_error(const std::string& text, ImageSettings& image);
 
 }  // namespace morphcl::cli

@@ -30,6 +30,7 @@ void check_options_of_format(const RenderOptions& options, FrameFormat format) {
   }
   if (options.scene.compression)
     refuse("--compression", "is of EXR frames, and these are PNG frames, which lose nothing by theirs; leave it out");
+  if (options.scene.z_error) refuse("--z-error", "is of Z in EXR frames, and PNG frames have none; leave it out");
   if (options.preview) refuse("--preview", "is a PNG beside each EXR frame, and these are PNG frames; leave it out");
   ImageSettings asked;
   if (options.scene.channels) set_channels(*options.scene.channels, asked);
@@ -55,7 +56,7 @@ int render_command(const RenderOptions& options) {
 
   Scene scene = open_scene(options.scene);
   // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
-  if (format == FrameFormat::png && scene.image.color) scene.image.depth = false;
+  if (format == FrameFormat::png && scene.image.color) scene.image.depth = false, scene.image.z_error = 0;
   if (ranges) scene.frames = *ranges;
   print_warnings(scene);
 

@@ -74,6 +74,13 @@ std::string part_text(const ModelPart& part) {
   return text + (part.used ? "" : ", not used");
 }
 
+std::string image_text(const ImageSettings& image) {
+  std::string text = fmt::format("{}x{}, {}{}, {}", image.width, image.height, image.color ? "RGBA " : "",
+                                 image.depth ? "Z" : "", image.compression);
+  if (image.z_error != 0) text += fmt::format(", Z within {} of itself", image.z_error);
+  return text;
+}
+
 // Standing at the first frame.
 NodeSampler first_nodes(const Scene& scene) {
   NodeSampler nodes(scene.timeline.nodes);
@@ -87,6 +94,7 @@ void print_json(const Scene& scene) {
                                              {"width", scene.image.width},
                                              {"height", scene.image.height},
                                              {"compression", scene.image.compression},
+                                             {"z_error", scene.image.z_error},
                                              {"frames", range_text(scene.frames)},
                                              {"fps", fps_text(scene.timeline.time)},
                                              {"objects", scene.objects.size()},
@@ -122,8 +130,7 @@ void print_json(const Scene& scene) {
 void print_table(const Scene& scene) {
   std::vector<std::vector<std::string>> rows = {
       {"name", printable(scene.name)},
-      {"image", fmt::format("{}x{}, {}{}, {}", scene.image.width, scene.image.height, scene.image.color ? "RGBA " : "",
-                            scene.image.depth ? "Z" : "", scene.image.compression)},
+      {"image", image_text(scene.image)},
       {"frames", fmt::format("{} at {} per second", range_text(scene.frames), fps_text(scene.timeline.time))},
       {"nodes", std::to_string(scene.timeline.nodes.size())},
       {"lights", std::to_string(scene.timeline.lights.size())}};

@@ -26,11 +26,13 @@ Scene open_scene(const SceneOptions& options) {
   if (options.channels) set_channels(*options.channels, checked);
   if (options.compression) set_compression(*options.compression, checked);
   if (options.depth_buffer) set_depth_buffer(*options.depth_buffer, checked);
+  if (options.z_error) set_z_error(*options.z_error, checked);
 
   Scene scene = load_scene(options.path, load);
   if (options.channels) set_channels(*options.channels, scene.image);
   if (options.compression) set_compression(*options.compression, scene.image);
   if (options.depth_buffer) set_depth_buffer(*options.depth_buffer, scene.image);
+  if (options.z_error) set_z_error(*options.z_error, scene.image);
   return scene;
 }
 

@@ -15,6 +15,7 @@ struct SceneOptions {
   std::optional<std::string> channels;                  // "RGBA,Z"
   std::optional<std::string> compression;               // "zip"
   std::optional<std::string> depth_buffer;              // "fixed24"
+  std::optional<std::string> z_error;                   // "1e-6"
   std::optional<std::string> fps;                       // "25", "30000/1001"
   std::optional<std::string> animation, camera, scene;  // of a glTF model, by name or index
   std::optional<std::string> view;                      // "front"

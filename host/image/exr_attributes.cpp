@@ -1,5 +1,6 @@
 #include "host/image/exr_attributes.hpp"
 
+#include <ImfDoubleAttribute.h>
 #include <ImfIntAttribute.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
@@ -106,6 +107,7 @@ void add_attributes(Imf::Header& header, const FrameAttributes& attributes, cons
   Imf::addChromaticities(header, Imf::Chromaticities());
   header.insert(fingerprint_attribute, Imf::StringAttribute(attributes.fingerprint));
   if (!attributes.deviation.empty()) header.insert(deviation_attribute, Imf::StringAttribute(attributes.deviation));
+  if (attributes.z_error != 0) header.insert(z_error_attribute, Imf::DoubleAttribute(attributes.z_error));
   header.insert(pixel_hash_attribute, Imf::StringAttribute(pixel_hash));
 }
 
@@ -120,6 +122,7 @@ FrameAttributes attributes_of(const Imf::Header& header) {
     attributes.world_to_eye = flip_viewing_axis(from_imath(*m));
   if (const auto* m = find<Imath::M44f>(header, "worldToNDC"))
     attributes.world_to_ndc = ndc_from_unit_square(from_imath(*m));
+  if (const double* error = find<double>(header, z_error_attribute)) attributes.z_error = *error;
   attributes.deviation = text_attribute(header, deviation_attribute);
   attributes.fingerprint = text_attribute(header, fingerprint_attribute);
   return attributes;

@@ -10,9 +10,10 @@
 namespace morphcl {
 
 // framesPerSecond, imageCounter, timeCode, worldToCamera, worldToNDC, screenWindowCenter/Width, chromaticities
-// (Rec.709), morphclFingerprint, pixelHash. timeCode counts whole seconds of round(fps) frames (no drop frame) and
-// wraps at 24 hours; it is left out where SMPTE has no number for it: below 1 or above 30 frames a second. Error(usage)
-// for a rate or a frame number outside OpenEXR's integers.
+// (Rec.709), morphclFingerprint, where there is something to say morphclDeviation and morphclZError, pixelHash.
+// timeCode counts whole seconds of round(fps) frames (no drop frame) and wraps at 24 hours; it is left out where SMPTE
+// has no number for it: below 1 or above 30 frames a second. Error(usage) for a rate or a frame number outside
+// OpenEXR's integers.
 void add_attributes(Imf::Header& header, const FrameAttributes& attributes, const std::string& pixel_hash);
 
 // What of it a header holds; the defaults of FrameAttributes for the rest.
@@ -23,6 +24,7 @@ std::string text_attribute(const Imf::Header& header, const char* name);
 
 inline constexpr const char* fingerprint_attribute = "morphclFingerprint";
 inline constexpr const char* deviation_attribute = "morphclDeviation";
+inline constexpr const char* z_error_attribute = "morphclZError";
 inline constexpr const char* pixel_hash_attribute = "pixelHash";
 
 }  // namespace morphcl

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstring>
 
+#include "host/math/widest_vectors.hpp"
+
 namespace morphcl {
 
 static_assert(std::endian::native == std::endian::little, "the low byte of a pair is the one at the even position");
@@ -22,12 +24,6 @@ std::uint8_t low_difference(std::uint16_t pair, std::uint16_t before) {
 std::uint8_t high_difference(std::uint16_t pair, std::uint16_t before) {
   return static_cast<std::uint8_t>((pair >> 8) - (before >> 8) + 128);
 }
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MORPHCL_WIDEST_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define MORPHCL_WIDEST_VECTORS
-#endif
 
 // All pairs but the first. Compilers make vectors of this: pairs are loaded whole, at i and i - 1, and narrowed.
 MORPHCL_WIDEST_VECTORS

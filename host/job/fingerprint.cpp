@@ -123,9 +123,10 @@ class SceneHasher {
     add_all(mesh, node, base_color, shading, double_sided, morph);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, color, depth, compression, depth_format, background] = image;
+    const auto& [width, height, color, depth, compression, depth_format, background, z_error] = image;
     add_all(width, height, color, depth, std::string_view(compression), depth_format, background.has_value());
     if (background) add_all(background->top, background->bottom);
+    if (z_error != 0) add_all(std::string_view("z_error"), z_error);  // named: it was not always there
   }
   void add(const Scene& scene) {
     const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,

@@ -27,6 +27,7 @@ double checked_stops(const RenderJob& job) {
 FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
     : format_(frame_format(job.pattern)),
       compression_(image.compression),
+      z_error_(image.z_error),
       sample_bits_(job.sample_bits),
       exposure_(checked_stops(job)) {
   check_compression(compression_);
@@ -43,10 +44,11 @@ FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
                 "previews are PNG files beside EXR frames, and these frames are PNG files already");
 }
 
-std::string FrameFile::encode(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes,
+std::string FrameFile::encode(std::vector<char>& bytes, FrameBuffer& frame, const FrameAttributes& attributes,
                               int threads) const {
-  return format_ == FrameFormat::exr ? encode_exr(bytes, frame, attributes, compression_, threads)
-                                     : encode_png(bytes, frame, attributes, sample_bits_, threads, exposure_);
+  if (format_ == FrameFormat::png) return encode_png(bytes, frame, attributes, sample_bits_, threads, exposure_);
+  if (z_error_ != 0) round_depth(frame, z_error_);
+  return encode_exr(bytes, frame, attributes, compression_, threads);
 }
 
 std::string FrameFile::relabel(std::vector<char>& bytes, std::span<const char> source,

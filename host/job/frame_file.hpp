@@ -18,8 +18,8 @@ class FrameFile {
   // for, or when the image has nothing that the format can hold.
   FrameFile(const RenderJob& job, const ImageSettings& image);
 
-  // As encode_exr() and relabel_exr().
-  std::string encode(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes,
+  // As encode_exr() and relabel_exr(). What the image's settings let an EXR file round is rounded in `frame`.
+  std::string encode(std::vector<char>& bytes, FrameBuffer& frame, const FrameAttributes& attributes,
                      int threads) const;
   std::string relabel(std::vector<char>& bytes, std::span<const char> source, const FrameAttributes& attributes) const;
 
@@ -42,6 +42,7 @@ class FrameFile {
  private:
   const FrameFormat format_;
   const std::string compression_;
+  const double z_error_;
   const int sample_bits_;
   const Exposure exposure_;  // of PNG files
 };

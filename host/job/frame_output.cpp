@@ -156,7 +156,7 @@ std::optional<FrameResult> FrameOutput::keep(std::int64_t frame) {
   return result;
 }
 
-WrittenFrame FrameOutput::write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
+WrittenFrame FrameOutput::write(FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
                                 int encoding_threads, const std::function<void()>& pixels_done) {
   try {
     FramePictures pictures;

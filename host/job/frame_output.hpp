@@ -39,8 +39,9 @@ class FrameOutput {
 
   // Writes the frame and its pictures and completes `result`, as failed when anything of it fails. Calls `pixels_done`
   // as soon as `pixels` are not needed any more, or not at all. `encoding_threads` share the encoding of the one frame.
-  WrittenFrame write(const FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result,
-                     int encoding_threads, const std::function<void()>& pixels_done);
+  // Z of `pixels` may be rounded on the way, as the image's settings have it.
+  WrittenFrame write(FrameBuffer& pixels, const FrameAttributes& attributes, FrameResult& result, int encoding_threads,
+                     const std::function<void()>& pixels_done);
 
   // The same with the pixels of a frame that this job wrote, out of its file. False, and nothing done, when that file
   // is not there or not as it was written.

@@ -193,6 +193,7 @@ FrameTask JobRun::task_for(const PlannedFrame& planned) const {
   if (planned.plan) task.attributes = planned.plan->attributes();
   task.attributes.fingerprint = output_.fingerprint();
   task.attributes.deviation = renderer_.deviation();
+  task.attributes.z_error = planner_.scene().image.z_error;
   task.picture = planned.digest;
   return task;
 }

@@ -26,6 +26,7 @@ struct FrameAttributes {
   glm::dmat4 world_to_ndc{1.0};
   std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
   std::string deviation = {};    // Renderer::deviation(); stored as morphclDeviation unless it is empty
+  double z_error = 0;            // that Z was rounded within (round_depth()); stored as morphclZError unless it is 0
 };
 
 // none rle zips zip zip:small piz pxr24 b44 b44a dwaa dwab; the first six are lossless. zip and zip:small make files of

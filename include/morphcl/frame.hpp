@@ -124,6 +124,11 @@ class FrameBuffer {
 // EXR files keep the hash of their pixels, whatever their compression.
 std::string pixel_hash(const FrameBuffer& frame);
 
+// Rounds Z to the fewest mantissa bits that keep `relative_error`, as round_mantissas() does (numerics.hpp), so that it
+// takes less room in files. The background's depth stays exactly what it is, as does a frame without Z. Error(usage)
+// unless 0 < relative_error <= max_relative_error.
+void round_depth(FrameBuffer& frame, double relative_error);
+
 // ---- plain arrays ---------------------------------------------------------------------------------------------------
 //
 // 4 values a pixel (R, G, B, A), row after row from the top, without padding. Error(usage) when the frame has no

@@ -123,5 +123,23 @@ struct HalfRange {
 // The range of finite values; of none, {0, 1}.
 HalfRange half_range(std::span<const double> values);
 
+// ---- fewer mantissa bits --------------------------------------------------------------------------------------------
+//
+// binary32 with zeros at the end of its mantissa, for files that are compressed. With m of the 23 bits kept, a value
+// that is rounded to nearest moves by u / (1 + u) of itself at most, u = 2^-(m + 1): the worst one lies u above a power
+// of two, halfway between two that are kept. (Jeannerod and Rump 2018, "On relative errors of floating-point
+// operations", has the bound.)
+
+constexpr int float_mantissa_bits = 23;
+constexpr double max_relative_error = 0.1;
+
+// The fewest bits for which u / (1 + u) <= relative_error, exactly decided; 23 where no rounding keeps it. Error(usage)
+// unless 0 < relative_error <= max_relative_error.
+int mantissa_bits_for(double relative_error);
+
+// Rounds each value to `bits` (0 to 23) of its mantissa, to nearest, ties to even. Zeros, infinities, NaN and `kept`
+// stay as they are; so do denormals, which have fewer bits, and what would round to infinity.
+void round_mantissas(std::span<float> values, int bits, float kept = 0);
+
 }  // namespace morphcl
 #pragma GCC visibility pop

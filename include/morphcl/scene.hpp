@@ -73,6 +73,9 @@ struct ImageSettings {
   std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
   std::optional<Background> background = std::nullopt;     // with alpha 1; none: colour and alpha are 0 there
+  // The relative error of Z that EXR files may have, so that they are smaller (round_depth() in frame.hpp); 0: none.
+  // At most max_relative_error (numerics.hpp), and only beside `depth`. Renderers draw Z as it is.
+  double z_error = 0;
 };
 
 // Something of which a model file may hold several; one is used. Animations that move different things are used

@@ -153,6 +153,21 @@ TEST_F(Render, ChannelsThatWereNotAskedForAreNotInTheFile) {
   EXPECT_THAT(info, Not(HasSubstr("R half")));
 }
 
+TEST_F(Render, DepthIsRoundedWhereAnErrorIsGiven) {
+  const auto exact = hashes({"--frames", "2", "-o", "exact.#.exr"}, "rendered");
+  const auto rounded = hashes({"--frames", "2", "--z-error", "1e-4", "--verify", "-o", "rounded.#.exr"}, "rendered");
+  EXPECT_NE(rounded, exact);
+  EXPECT_THAT(run_tool({"info", path("rounded.0002.exr")}).out, HasSubstr("morphclZError"));
+  EXPECT_THAT(run_tool({"info", path("exact.0002.exr")}).out, Not(HasSubstr("morphclZError")));
+  plant("shot.toml", replaced(cube_shot(), "compression = \"zip\"", "compression = \"zip\"\nz_error = 1e-4"));
+  EXPECT_EQ(hashes({"--frames", "2", "-o", "of_shot.#.exr"}, "rendered"), rounded);
+  EXPECT_THAT(run_tool({"info", path("shot.toml")}).out, HasSubstr("zip, Z within 0.0001 of itself"));
+  const ToolResult plan = run_tool({"plan", path("shot.toml"), "--frame", "2"});
+  EXPECT_THAT(plan.out, HasSubstr("z_error is 0.0001: 13 of 23 mantissa bits keep it"));
+  EXPECT_EQ(render({"--frames", "2", "--channels", "RGBA"}).code, 0) << "no Z, nothing to round";
+  EXPECT_EQ(render({"--frames", "2", "-o", "f.#.png"}).code, 0) << "nor in a PNG";
+}
+
 TEST_F(Render, PreviewAndContactSheetAndVerify) {
   const ToolResult result = render({"--frames", "0-1", "--preview", "--contact-sheet", "all.png", "--verify"});
   EXPECT_EQ(result.code, 0) << result.err;

@@ -45,6 +45,15 @@ TEST_F(Usage, UnknownCompression) {
   expect_usage_error({"--compression", "lzma"}, "known: none, rle, zips, zip, zip:small, piz, ");
 }
 TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "stencil"}, "fixed24"); }
+TEST_F(Usage, ZErrorZero) { expect_usage_error({"--z-error", "0"}, "--z-error: '0' is no relative error of Z"); }
+TEST_F(Usage, ZErrorNegative) { expect_usage_error({"--z-error=-1e-6"}, "above 0 and of at most 0.1, such as 1e-6"); }
+TEST_F(Usage, ZErrorTooLarge) { expect_usage_error({"--z-error", "0.11"}, "at most 0.1"); }
+TEST_F(Usage, ZErrorThatIsNan) { expect_usage_error({"--z-error", "nan"}, "at most 0.1"); }
+TEST_F(Usage, ZErrorWithAUnit) { expect_usage_error({"--z-error", "1%"}, "'1%'"); }
+TEST_F(Usage, ZErrorWithoutZ) {
+  expect_usage_error({"--z-error", "1e-6", "--channels", "RGBA"}, "--z-error: is of channel Z, which is not among");
+}
+TEST_F(Usage, ZErrorOfPng) { expect_usage_error({"-o", "a.#.png", "--z-error", "1e-6"}, "--z-error: "); }
 TEST_F(Usage, UnknownChannel) { expect_usage_error({"--channels", "RGB"}, "'RGB' is no channel"); }
 TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--channels"); }
 TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
@@ -130,7 +139,7 @@ TEST(Help, OfRenderNamesEveryOptionOfTheContractWithItsGroup) {
   const std::string help = run_tool({"render", "--help"}).out;
   for (const char* option : {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads",
                              "--resume", "--png-bits", "--verify", "--json", "--quiet", "--contact-sheet", "--preview",
-                             "--exposure", "--view", "--fps", "--allow-outside"})
+                             "--exposure", "--z-error", "--view", "--fps", "--allow-outside"})
     EXPECT_THAT(help, HasSubstr(option));
   for (const char* group : {"Image:", "Time:", "Output:", "Device:", "Report:", "Input:"})
     EXPECT_THAT(help, HasSubstr(group));

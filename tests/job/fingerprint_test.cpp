@@ -32,6 +32,8 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.image.depth = false; },
       [](Scene& s) { s.image.compression = "zip"; },
       [](Scene& s) { s.image.depth_format = DepthFormat::fixed24; },
+      [](Scene& s) { s.image.z_error = 1e-6; },
+      [](Scene& s) { s.image.z_error = 1e-5; },
       [](Scene& s) { s.image.background = Background{}; },
       [](Scene& s) { s.image.background = Background{{0, 0, 0}, {0, 0, 1}}; },
       [](Scene& s) { s.image.background = Background{{0, 0, 1}, {0, 0, 0}}; },

@@ -168,6 +168,47 @@ TEST(RenderJob, FramesCarryNumberRateAndFingerprint) {
   EXPECT_EQ(attributes.fingerprint, fingerprint(scene));
 }
 
+// What a file holds is rounded before its hash is taken, so that a reader finds the hash of what it reads.
+TEST(RenderJob, DepthIsRoundedInFilesWithinTheErrorAskedFor) {
+  for (const char* compression : {"zip", "zip:small", "none", "piz"})
+    for (const double error : {1e-6, 1e-3, 1e-8}) {
+      const TemporaryFolder folder;
+      FakeRenderer renderer;
+      Scene scene = empty_scene();
+      scene.image.compression = compression;
+      scene.image.z_error = error;
+      RenderJob job = job_of(folder / "a.##.exr", {4, 5, 6});
+      job.verify = true;
+      for (const FrameResult& result : run(job, scene, renderer).frames) {
+        ASSERT_EQ(result.error, "");
+        FrameBuffer expected = pixels_of(result.frame);
+        round_depth(expected, error);
+        const ExrFrame read = read_exr(result.path);
+        EXPECT_EQ(image_test::difference(expected, read.frame), "") << compression << " within " << error;
+        EXPECT_EQ(read.hash, pixel_hash(expected));
+        EXPECT_EQ(read.stored_hash, read.hash);
+        EXPECT_EQ(read.attributes.z_error, error);
+        EXPECT_EQ(read.hash == pixel_hash(pixels_of(result.frame)), error == 1e-8) << "1e-8 needs all bits";
+      }
+    }
+}
+
+TEST(RenderJob, ResumesFramesOfTheSameErrorOfDepthAlone) {
+  const TemporaryFolder folder;
+  Scene scene = empty_scene();
+  scene.image.z_error = 1e-4;
+  RenderJob job = job_of(folder / "a.##.exr", {1, 2});
+  job.resume = true;
+  FakeRenderer first, same, other;
+  run(job, scene, first);
+  EXPECT_EQ(frames_of(run(job, scene, same), Status::kept), (std::vector<std::int64_t>{1, 2}));
+  EXPECT_TRUE(same.rendered.empty());
+  scene.image.z_error = 0;
+  run(job, scene, other);
+  EXPECT_EQ(other.rendered, (std::vector<std::int64_t>{1, 2}));
+  EXPECT_EQ(read_exr(folder / "a.01.exr").attributes.z_error, 0);
+}
+
 TEST(RenderJob, NoFramesAreNoWork) {
   FakeRenderer renderer;
   EXPECT_TRUE(run(job_of("/proc/nope/a.exr", {}), empty_scene(), renderer).frames.empty());

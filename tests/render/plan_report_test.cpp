@@ -181,6 +181,21 @@ TEST(PlanReport, NamesADepthBufferThatIsNotTheDefault) {
   EXPECT_EQ(find_note(report_of(scene, 0), "depth buffer")->reason, "fixed24 is asked for");
 }
 
+TEST(PlanReport, NamesTheRoundingOfDepthWithItsReason) {
+  Scene scene = there_and_back();
+  EXPECT_EQ(find_note(report_of(scene, 0), "rounding of Z"), nullptr);
+  scene.image.z_error = 1e-6;
+  const PlanReport rounds = report_of(scene, 0);
+  ASSERT_NE(find_note(rounds, "rounding of Z"), nullptr);
+  EXPECT_TRUE(find_note(rounds, "rounding of Z")->done);
+  EXPECT_EQ(find_note(rounds, "rounding of Z")->reason,
+            "z_error is 1e-06: 19 of 23 mantissa bits keep it, the others would fill files");
+  scene.image.z_error = 1e-8;
+  const PlanReport exact = report_of(scene, 0);
+  EXPECT_FALSE(find_note(exact, "rounding of Z")->done);
+  EXPECT_EQ(find_note(exact, "rounding of Z")->reason, "z_error is 1e-08: all 23 mantissa bits are needed");
+}
+
 TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {
   SceneBuilder b(64, 48);
   b.add(make_sphere({512, 256}), Shading::smooth);

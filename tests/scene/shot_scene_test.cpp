@@ -22,6 +22,7 @@ channels = ["Z"]
 samples = 1
 compression = "piz"
 depth_buffer = "fixed24"
+z_error = 1e-6
 [accuracy]
 pixels = 0.01
 [frames]
@@ -63,6 +64,7 @@ TEST(Shot, ReadsImageFramesAndAmbient) {
   EXPECT_TRUE(scene.image.depth);
   EXPECT_EQ(scene.image.compression, "piz");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::fixed24);
+  EXPECT_EQ(scene.image.z_error, 1e-6);
   EXPECT_EQ(scene.accuracy_pixels, 0.01);
   EXPECT_EQ(frame_numbers(scene.frames).size(), 12u);
   EXPECT_EQ(scene.timeline.time.fps_numerator, 30000);

@@ -10,6 +10,7 @@
 #include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/single_cover.hpp"
 #include "morphcl/explain.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 
@@ -85,6 +86,21 @@ class Notes {
     note("RGBA", plan_.color, plan_.color ? "asked for" : "not among the channels", costs_.color);
     if (plan_.background) note("background", true, "colour of every pixel where nothing is drawn", 0);
     note("Z", plan_.depth, plan_.depth ? "asked for" : "not among the channels", costs_.depth);
+    rounding();
+  }
+
+  // Of Z in files. It is done by the threads that write them: the estimate is of drawing.
+  void rounding() {
+    const double error = scene_.image.z_error;
+    if (error == 0) return;
+    const int bits = mantissa_bits_for(error);
+    if (bits < float_mantissa_bits)
+      note("rounding of Z", true,
+           fmt::format("z_error is {}: {} of {} mantissa bits keep it, the others would fill files", error, bits,
+                       float_mantissa_bits),
+           0);
+    else
+      note("rounding of Z", false, fmt::format("z_error is {}: all {} mantissa bits are needed", error, bits), 0);
   }
 
   void objects() {

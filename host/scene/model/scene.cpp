@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 
@@ -31,6 +32,10 @@ void check_image(const ImageSettings& image) {
   if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
     fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
   if (image.background) check_background(*image.background);
+  if (image.z_error == 0) return;
+  if (!image.depth)
+    fail(fmt::format("z_error is {} and there is no channel Z; ask for Z, or leave it 0", image.z_error));
+  mantissa_bits_for(image.z_error);
 }
 
 constexpr int last_shading = static_cast<int>(Shading::wireframe);

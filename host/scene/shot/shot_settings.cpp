@@ -10,6 +10,7 @@
 #include "host/scene/model/rate_hint.hpp"
 #include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 
@@ -108,6 +109,18 @@ std::optional<Background> read_background(const ShotValue& value) {
   return Background{color, color};
 }
 
+// The relative error that float channel `channel` may be rounded within; `asked_for`: whether the image has it.
+double read_channel_error(const ShotValue& error, std::string_view channel, bool asked_for) {
+  const double value = error.number_or_infinity();
+  if (!(value > 0 && value <= max_relative_error))
+    error.fail(fmt::format("{} is {}; a relative error above 0 and of at most {} is needed, such as 1e-6", error.name(),
+                           value, max_relative_error));
+  if (!asked_for)
+    error.fail(fmt::format("{} is of channel {}, which is not among the channels; add \"{}\" to them, or leave it out",
+                           error.name(), channel, channel));
+  return value;
+}
+
 std::int64_t fps_part(const ShotValue& value) {
   const std::int64_t part = value.integer();
   if (part < 1 || part > max_fps_part) value.fail(fmt::format("fps holds {}; 1 to {} is possible", part, max_fps_part));
@@ -141,7 +154,8 @@ TimeBase read_fps(const ShotValue& fps) {
 ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   ImageSettings settings;
   if (!image) return settings;
-  const ShotTable table = image->table({"size", "channels", "samples", "compression", "depth_buffer", "background"});
+  const ShotTable table =
+      image->table({"size", "channels", "samples", "compression", "depth_buffer", "background", "z_error"});
   if (const auto size = table.find("size")) {
     refuse_size_text(*size);
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
@@ -153,6 +167,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
   if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
   if (const auto background = table.find("background")) settings.background = read_background(*background);
+  if (const auto error = table.find("z_error")) settings.z_error = read_channel_error(*error, "Z", settings.depth);
   return settings;
 }
 

@@ -1,0 +1,78 @@
+// Z of fewer bits in a frame: within the error, the background exactly, colour and blank blocks left alone.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "host/image/exr_encode.hpp"
+#include "host/image/raw_frame.hpp"
+#include "morphcl/error.hpp"
+#include "morphcl/numerics.hpp"
+#include "tests/image/test_frames.hpp"
+
+namespace morphcl {
+namespace {
+
+using namespace image_test;
+
+TEST(RoundDepth, IsRoundMantissasOfEveryPixelButTheBackground) {
+  for (const bool noise : {false, true}) {
+    const auto make = [&] { return noise ? arbitrary_frame(200, 90, true, true) : disc_frame(200, 90); };
+    const FrameBuffer before = make();
+    FrameBuffer frame = make();
+    round_depth(frame, 1e-4);
+    bool rounds = false;
+    for (int y = 0; y < frame.height(); ++y) {
+      for (int channel = 0; channel < 4; ++channel)
+        EXPECT_TRUE(std::ranges::equal(std::as_const(frame).color_row(channel, y), before.color_row(channel, y)));
+      for (std::size_t x = 0; x < 200; ++x) {
+        float expected = before.depth_row(y)[x];
+        const float exact = expected, found = std::as_const(frame).depth_row(y)[x];
+        if (expected != background_depth) round_mantissas({&expected, 1}, mantissa_bits_for(1e-4));
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(found), std::bit_cast<std::uint32_t>(expected)) << x << ", " << y;
+        if (std::isnormal(exact)) {
+          ASSERT_LE(std::abs(double{found} - exact), 1e-4 * std::abs(double{exact})) << exact;
+        }
+        rounds |= std::isnormal(exact) && found != exact;
+      }
+    }
+    EXPECT_TRUE(rounds);
+  }
+}
+
+TEST(RoundDepth, LeavesBlankBlocksAndTheirNotes) {
+  FrameBuffer frame = disc_frame(200, 90);
+  round_depth(frame, 1e-3);
+  EXPECT_FALSE(frame.blank_block(0, 0)) << "nothing is known of a frame that somebody wrote to";
+  make_blank(frame, 3, 2, 0x3c01);  // with what nobody may look at
+  round_depth(frame, 1e-3);
+  EXPECT_TRUE(frame.blank_block(3, 2));
+  EXPECT_FALSE(frame.blank_block(4, 2));
+  EXPECT_EQ(std::as_const(frame).depth_row(40)[50], 1.0f);
+}
+
+TEST(RoundDepth, LeavesAFrameThatNeedsAllItsBitsOrHasNoDepth) {
+  FrameBuffer frame = disc_frame(100, 60), colors = disc_frame(100, 60, true, false);
+  round_depth(frame, 1e-8);
+  EXPECT_EQ(difference(disc_frame(100, 60), frame), "");
+  round_depth(colors, 1e-3);
+  EXPECT_EQ(difference(disc_frame(100, 60, true, false), colors), "");
+  EXPECT_THROW(round_depth(frame, 0), Error);
+}
+
+TEST(RoundDepth, FilesAreSmallerTheMoreMayBeOff) {
+  for (const char* compression : {"zip", "zip:small", "zips", "piz"}) {
+    std::size_t last = 0;
+    for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
+      FrameBuffer frame = disc_frame(400, 300);
+      if (error != 0) round_depth(frame, error);
+      std::vector<char> bytes;
+      encode_exr(bytes, frame, {}, compression, 1);
+      EXPECT_GT(bytes.size(), last) << compression << " within " << error;
+      last = bytes.size();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace morphcl
