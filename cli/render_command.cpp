@@ -56,7 +56,10 @@ int render_command(const RenderOptions& options) {
 
   Scene scene = open_scene(options.scene);
   // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
-  if (format == FrameFormat::png && scene.image.color) scene.image.depth = false, scene.image.z_error = 0;
+  if (format == FrameFormat::png && scene.image.color) {
+    scene.image.depth = false;
+    scene.image.z_error = 0;
+  }
   if (ranges) scene.frames = *ranges;
   print_warnings(scene);
 

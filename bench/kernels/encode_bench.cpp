@@ -26,6 +26,7 @@
 #include "host/image/exr_zip_chunk.hpp"
 #include "host/image/pixel_hash.hpp"
 #include "host/image/png_encode.hpp"
+#include "host/image/running_adler32.hpp"
 #include "host/image/zlib_encoder.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/planner.hpp"
@@ -133,7 +134,9 @@ std::size_t deflated(const Picture& picture, ZlibEncoder& encoder) {
   std::size_t sum = 0;
   for (const Bytes& chunk : picture.prepared) {
     out.resize(chunk.size() + chunk.size() / 8 + 1000);
-    sum += encoder.encode(chunk, out);
+    RunningAdler32 adler;
+    adler.add(chunk.data(), chunk.size());
+    sum += encoder.encode(chunk, adler.value(), out);
   }
   return sum;
 }

@@ -17,6 +17,8 @@ class ExrByteSplit {
 
   // The 2 * pairs bytes at `bytes`; pairs >= 1.
   void add(const void* bytes, std::size_t pairs);
+  // The same of pairs that are `first` and `second` by turns.
+  void add_by_turns(std::uint16_t first, std::uint16_t second, std::size_t pairs);
   void finish();  // once, after the last add()
 
  private:

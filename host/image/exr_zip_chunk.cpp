@@ -1,9 +1,11 @@
 #include "host/image/exr_zip_chunk.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "host/image/exr_byte_split.hpp"
+#include "host/image/running_adler32.hpp"
 
 namespace morphcl {
 
@@ -29,14 +31,46 @@ void ExrZipChunks::begin(const FrameBuffer& frame) {
 
 void ExrZipChunks::prepare(int first_line, int lines) {
   ExrByteSplit split(prepared_.data(), line_bytes(*frame_) * static_cast<std::size_t>(lines));
+  const auto add = [&split](const auto& row, const PixelSpan& span, std::uint16_t blank, std::uint16_t next_blank) {
+    const std::size_t pairs = span.count * sizeof row[0] / sizeof blank;
+    if (span.blank)
+      split.add_by_turns(blank, next_blank, pairs);
+    else
+      split.add(row.data() + span.first, pairs);
+  };
+  constexpr auto background = std::bit_cast<std::uint32_t>(background_depth);
   for (int y = first_line; y < first_line + lines; ++y) {
     if (frame_->has_color())
       for (const int channel : alphabetical_channels)
-        for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->color_row(channel, y), span), span.count);
+        for (const PixelSpan& span : spans_) add(frame_->color_row(channel, y), span, 0, 0);
     if (frame_->has_depth())
-      for (const PixelSpan& span : spans_) split.add(span_pixels(frame_->depth_row(y), span), 2 * span.count);
+      for (const PixelSpan& span : spans_) add(frame_->depth_row(y), span, background & 0xffff, background >> 16);
   }
   split.finish();
+}
+
+// Of the prepared bytes. Those of a blank span are by turns the same two, but for the first, which are differences to
+// the span before.
+std::uint32_t ExrZipChunks::checksum(int lines) const {
+  constexpr std::size_t different = 3;
+  RunningAdler32 adler;
+  const std::uint8_t *from = prepared_.data(), *at = from;  // what lies between is not added yet
+  const auto add = [&](const PixelSpan& span, std::size_t bytes) {
+    if (span.blank && bytes > different) {
+      adler.add(from, static_cast<std::size_t>(at + different - from));
+      adler.add_by_turns(at + different, bytes - different);
+      from = at + bytes;
+    }
+    at += bytes;
+  };
+  for (int i = 0; i < 2 * lines; ++i) {  // of both halves
+    for (int channel = 0; frame_->has_color() && channel < 4; ++channel)
+      for (const PixelSpan& span : spans_) add(span, span.count);
+    for (const PixelSpan& span : spans_)
+      if (frame_->has_depth()) add(span, 2 * span.count);
+  }
+  adler.add(from, static_cast<std::size_t>(at - from));
+  return adler.value();
 }
 
 void ExrZipChunks::store(int first_line, int lines) {
@@ -67,7 +101,7 @@ std::span<const std::uint8_t> ExrZipChunks::encode(int first_line) {
   const std::size_t bytes = line_bytes(*frame_) * static_cast<std::size_t>(lines);
   if (as_long && std::memcmp(prepared_.data(), prepared_before_.data(), bytes) == 0) return {data_.data(), data_bytes_};
 
-  data_bytes_ = encoder_->encode({prepared_.data(), bytes}, {data_.data(), bytes - 1});
+  data_bytes_ = encoder_->encode({prepared_.data(), bytes}, checksum(lines), {data_.data(), bytes - 1});
   if (data_bytes_ == 0) {
     store(first_line, lines);
     data_bytes_ = bytes;

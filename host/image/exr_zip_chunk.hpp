@@ -31,6 +31,7 @@ class ExrZipChunks {
 
  private:
   void prepare(int first_line, int lines);
+  std::uint32_t checksum(int lines) const;
   void store(int first_line, int lines);
 
   std::unique_ptr<ZlibEncoder> encoder_;

@@ -7,8 +7,10 @@
 #include <xxhash.h>
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 #include "host/image/blank_spans.hpp"
@@ -48,6 +50,46 @@ void PixelHasher::add_row(const void* values, std::size_t bytes) { XXH3_128bits_
 
 std::string PixelHasher::hex() const { return hex_digits(XXH3_128bits_digest(state_->xxh)); }
 
+namespace {
+
+constexpr std::size_t run_pixels = 16384;
+
+template <class T>
+const std::array<T, run_pixels>& blank_run() {
+  static const std::array<T, run_pixels> run = [] {
+    std::array<T, run_pixels> pixels{};
+    if constexpr (std::is_same_v<T, float>) pixels.fill(background_depth);
+    return pixels;
+  }();
+  return run;
+}
+
+// The pixels of a channel, the blank ones in as few pieces as can be: with each the hash moves some hundred bytes to
+// and from a buffer of its own.
+template <class T>
+class RowHasher {
+ public:
+  explicit RowHasher(PixelHasher& hasher) : hasher_(hasher) {}
+  void add(std::span<const T> row, const PixelSpan& span) {
+    if (span.blank) {
+      blank_ += span.count;
+      return;
+    }
+    finish();
+    hasher_.add_row(row.data() + span.first, span.count * sizeof(T));
+  }
+  void finish() {
+    for (; blank_ > 0; blank_ -= std::min(blank_, run_pixels))
+      hasher_.add_row(blank_run<T>().data(), std::min(blank_, run_pixels) * sizeof(T));
+  }
+
+ private:
+  PixelHasher& hasher_;
+  std::size_t blank_ = 0;  // pixels, not added yet
+};
+
+}  // namespace
+
 std::string pixel_hash(const FrameBuffer& frame) {
   PixelHasher hasher;
   std::vector<PixelSpan> spans;
@@ -56,11 +98,13 @@ std::string pixel_hash(const FrameBuffer& frame) {
   const auto add_channel = [&](std::string_view name, PixelHasher::Type type, const auto& row_of) {
     hasher.begin_channel(name, type, window);
     constexpr int side = FrameBuffer::block_side;
+    RowHasher<std::remove_cvref_t<decltype(row_of(0)[0])>> rows(hasher);
     for (int y = 0; y < frame.height(); ++y) {
       if (y % side == 0) find_spans(spans, frame, y / side);
       const auto row = row_of(y);
-      for (const PixelSpan& span : spans) hasher.add_row(span_pixels(row, span), span.count * sizeof row[0]);
+      for (const PixelSpan& span : spans) rows.add(row, span);
     }
+    rows.finish();
   };
   if (frame.has_color()) {
     constexpr std::array<std::string_view, 4> names{"A", "B", "G", "R"};

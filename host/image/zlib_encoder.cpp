@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 #if MORPHCL_HAS_ISAL
@@ -24,7 +25,7 @@ class LibdeflateEncoder : public ZlibEncoder {
   explicit LibdeflateEncoder(int level) : compressor_(libdeflate_alloc_compressor(level)) {
     if (!compressor_) throw std::bad_alloc();
   }
-  std::size_t encode(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) override {
+  std::size_t encode(std::span<const std::uint8_t> in, std::uint32_t, std::span<std::uint8_t> out) override {
     return libdeflate_zlib_compress(compressor_.get(), in.data(), in.size(), out.data(), out.size());
   }
 
@@ -68,17 +69,22 @@ class ZlibDeflatePieces : public DeflatePieces {
 // Level 1: levels 2 and 3 take as long or longer and save less than 1 %.
 class IgzipEncoder : public ZlibEncoder, public DeflatePieces {
  public:
-  std::size_t encode(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) override {
-    begin(IGZIP_ZLIB, in, out);
+  std::size_t encode(std::span<const std::uint8_t> in, std::uint32_t adler, std::span<std::uint8_t> out) override {
+    if (out.size() < head.size() + sizeof adler) return 0;
+    begin(in, out.subspan(head.size(), out.size() - head.size() - sizeof adler));
     const std::size_t opening = std::min(in.size(), opening_bytes);
     deflate(opening, SYNC_FLUSH);
     deflate(in.size() - opening, NO_FLUSH);
-    return stream_.internal_state.state == ZSTATE_END ? stream_.total_out : 0;
+    if (stream_.internal_state.state != ZSTATE_END) return 0;
+    std::copy(head.begin(), head.end(), out.begin());
+    const std::size_t end = head.size() + stream_.total_out;
+    for (std::size_t i = 0; i < sizeof adler; ++i) out[end + i] = static_cast<std::uint8_t>(adler >> (24 - 8 * i));
+    return end + sizeof adler;
   }
 
   void encode(std::span<const std::uint8_t> in, std::vector<std::uint8_t>& out) override {
     out.resize(room_for_blocks(in.size()));
-    begin(IGZIP_DEFLATE, in, out);
+    begin(in, out);
     const std::size_t opening = std::min(in.size(), opening_bytes);
     deflate(opening, SYNC_FLUSH);
     if (in.size() > opening) deflate(in.size() - opening, SYNC_FLUSH);
@@ -91,12 +97,15 @@ class IgzipEncoder : public ZlibEncoder, public DeflatePieces {
   // 15 bytes, and then the same input gives the same stream.
   static constexpr std::size_t opening_bytes = 8;
 
-  void begin(int format, std::span<const std::uint8_t> in, std::span<std::uint8_t> out) {
+  // Of zlib: deflate with a window of 32 KB, the fastest level.
+  static constexpr std::array<std::uint8_t, 2> head{0x78, 0x01};
+
+  void begin(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) {
     isal_deflate_init(&stream_);
     stream_.level = 1;
     stream_.level_buf = level_memory_.data();
     stream_.level_buf_size = static_cast<std::uint32_t>(level_memory_.size());
-    stream_.gzip_flag = static_cast<std::uint16_t>(format);
+    stream_.gzip_flag = IGZIP_DEFLATE;
     stream_.next_in = const_cast<std::uint8_t*>(in.data());  // only read
     stream_.next_out = out.data();
     stream_.avail_out = static_cast<std::uint32_t>(out.size());

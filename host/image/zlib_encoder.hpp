@@ -21,8 +21,9 @@ class ZlibEncoder {
  public:
   virtual ~ZlibEncoder() = default;
   // Writes the stream of `in` to the beginning of `out` and returns its length; 0 when there is no room for it and a
-  // few bytes more. The same input gives the same stream, whatever came before.
-  virtual std::size_t encode(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) = 0;
+  // few bytes more. The same input gives the same stream, whatever came before. `adler` is the Adler-32 of `in`, by who
+  // knows it with less work than a look at every byte.
+  virtual std::size_t encode(std::span<const std::uint8_t> in, std::uint32_t adler, std::span<std::uint8_t> out) = 0;
 };
 
 std::unique_ptr<ZlibEncoder> make_zlib_encoder(ZlibEffort effort);

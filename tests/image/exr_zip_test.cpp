@@ -14,6 +14,7 @@
 #include "host/image/exr_planes.hpp"
 #include "host/image/exr_stream.hpp"
 #include "host/image/exr_zip_chunk.hpp"
+#include "host/image/running_adler32.hpp"
 #include "tests/image/exr_chunks.hpp"
 #include "tests/image/test_frames.hpp"
 
@@ -96,6 +97,44 @@ TEST(ExrByteSplit, EqualsTheStepByStepDefinitionForEveryPieceLength) {
     split.finish();
     EXPECT_EQ(out, expected) << "in pieces of " << piece;
   }
+}
+
+// Lengths about those from which on bytes are repeated, alone and between others.
+TEST(ExrByteSplit, PairsByTurnsAreThePairsThemselves) {
+  const std::vector<std::uint16_t> others{7, 0x1234, 0xffff, 0};
+  for (const auto& [first, second] : {std::pair{0, 0}, {0x02f9, 0x5015}, {0x8001, 0x8001}, {0xff00, 0x00ff}})
+    for (std::size_t pairs = 1; pairs <= 300; pairs += pairs < 20 ? 1 : 37)
+      for (std::size_t before = 0; before <= others.size(); ++before) {
+        std::vector<std::uint16_t> all(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(before));
+        for (std::size_t i = 0; i < pairs; ++i) all.push_back(static_cast<std::uint16_t>(i % 2 == 0 ? first : second));
+        all.insert(all.end(), others.begin(), others.end());
+        std::vector<std::uint8_t> bytes(2 * all.size()), out(2 * all.size());
+        std::memcpy(bytes.data(), all.data(), bytes.size());
+        ExrByteSplit split(out.data(), out.size());
+        if (before > 0) split.add(others.data(), before);
+        split.add_by_turns(static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second), pairs);
+        split.add(others.data(), others.size());
+        split.finish();
+        ASSERT_EQ(out, prepared_step_by_step(bytes)) << pairs << " pairs behind " << before;
+      }
+}
+
+TEST(RunningAdler32, OfBytesByTurnsIsThatOfTheBytes) {
+  std::vector<std::uint8_t> bytes(400000);
+  for (const auto& [first, second] : {std::pair{128, 128}, {255, 255}, {0, 0}, {0, 255}, {17, 3}})
+    for (const std::size_t count :
+         {0, 1, 2, 3, 4, 5, 255, 256, 5552, 5553, 65520, 65521, 65522, 131041, 131042, 131043, 400000}) {
+      for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::uint8_t>(i % 2 == 0 ? first : second);
+      RunningAdler32 adler;
+      const std::uint8_t begin[] = {255, 255, 254, 1, 0, 77};
+      std::uint32_t expected = libdeflate_adler32(1, begin, sizeof begin);
+      adler.add(begin, sizeof begin);
+      for (int twice = 0; twice < 2; ++twice) {
+        adler.add_by_turns(bytes.data(), count);
+        expected = libdeflate_adler32(expected, bytes.data(), count);
+        ASSERT_EQ(adler.value(), expected) << count << " bytes " << first << " and " << second;
+      }
+    }
 }
 
 TEST(ExrZip, HeaderAndPreparedBytesAreTheLibrarys) {

@@ -17,6 +17,7 @@ namespace {
 
 using image_test::arbitrary_frame;
 using image_test::disc_frame;
+using image_test::make_blank;
 
 // The definition in the header, written out as one block of bytes.
 class HashedBytes {
@@ -124,6 +125,26 @@ TEST(PixelHash, TellsChannelsAndWindowsOfTheSameValues) {
 TEST(TextHash, IsTheFunctionOfItsBytes) {
   EXPECT_EQ(text_hash(""), "99aa06d3014798d86001c324468d497f");  // published for the empty input
   EXPECT_NE(text_hash("a"), text_hash("b"));
+}
+
+// Blank pixels are hashed without a look at their memory, many at a time: more than there are in a line, and more than
+// are taken at once.
+TEST(PixelHash, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
+  for (const bool color : {false, true})
+    for (const bool depth : {false, true}) {
+      if (!color && !depth) continue;
+      FrameBuffer marked = disc_frame(2600, 60, color, depth), plain = disc_frame(2600, 60, color, depth);
+      for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 163; ++x)
+          if (y != 2 || x % 5 < 3) {
+            make_blank(marked, x, y, 0x3c01);
+            make_blank(plain, x, y, 0);
+          }
+      plain.data();  // nothing counts as blank any more
+      ASSERT_TRUE(marked.blank_block(162, 3));
+      ASSERT_FALSE(plain.blank_block(162, 3));
+      EXPECT_EQ(pixel_hash(marked), pixel_hash(plain)) << color << depth;
+    }
 }
 
 }  // namespace

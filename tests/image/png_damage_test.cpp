@@ -9,6 +9,7 @@
 
 #include "host/image/png_chunks.hpp"
 #include "host/image/png_encode.hpp"
+#include "host/image/running_adler32.hpp"
 #include "host/image/zlib_encoder.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/png.hpp"
@@ -84,7 +85,9 @@ std::vector<char> png_of_lines(int width, int height, const std::vector<std::uin
       with_header(with_header(png_of_job(disc_frame(16, 16)), 0, static_cast<std::uint32_t>(width), 4), 4,
                   static_cast<std::uint32_t>(height), 4);
   std::vector<std::uint8_t> stream(lines.size() + 1000);
-  stream.resize(make_zlib_encoder(ZlibEffort::small)->encode(lines, stream));
+  RunningAdler32 adler;
+  adler.add(lines.data(), lines.size());
+  stream.resize(make_zlib_encoder(ZlibEffort::small)->encode(lines, adler.value(), stream));
   bytes.resize(place_of_chunk(bytes, "IDAT").first);
   append_chunk(bytes, "IDAT", stream);
   append_chunk(bytes, "IEND", {});

@@ -36,6 +36,10 @@ Bytes decoded(const std::uint8_t* stream, std::size_t stream_bytes, std::size_t 
   return out;
 }
 
+std::size_t encoded(ZlibEncoder& encoder, const Bytes& data, std::span<std::uint8_t> out) {
+  return encoder.encode(data, libdeflate_adler32(1, data.data(), data.size()), out);
+}
+
 class ZlibEncoders : public testing::TestWithParam<ZlibEffort> {};
 
 TEST_P(ZlibEncoders, StreamsDecodeToWhatWentIn) {
@@ -43,7 +47,7 @@ TEST_P(ZlibEncoders, StreamsDecodeToWhatWentIn) {
   for (const std::size_t bytes : {1, 2, 7, 100, 4096, 65536, 368640, 3000000})
     for (const Bytes& data : kinds_of_data(bytes)) {
       Bytes out(bytes + bytes / 8 + 1000);
-      const std::size_t stream = encoder->encode(data, out);
+      const std::size_t stream = encoded(*encoder, data, out);
       ASSERT_GT(stream, 0u);
       EXPECT_EQ(decoded(out.data(), stream, bytes), data);
     }
@@ -53,12 +57,12 @@ TEST_P(ZlibEncoders, NothingIsWrittenBeyondTheRoom) {
   const auto encoder = make_zlib_encoder(GetParam());
   for (const Bytes& data : kinds_of_data(20000)) {
     Bytes whole(30000);
-    const std::size_t needed = encoder->encode(data, whole);
+    const std::size_t needed = encoded(*encoder, data, whole);
     for (const std::size_t room :
          {std::size_t{0}, std::size_t{1}, std::size_t{10}, needed / 2, needed - 1, needed, needed + 9, needed + 10}) {
       constexpr std::uint8_t guard = 0xa5;
       Bytes out(room + 64, guard);
-      const std::size_t stream = encoder->encode(data, {out.data(), room});
+      const std::size_t stream = encoded(*encoder, data, {out.data(), room});
       EXPECT_LE(stream, room);
       for (std::size_t i = room; i < out.size(); ++i)
         ASSERT_EQ(out[i], guard) << "room for " << room << " of " << needed;
@@ -82,9 +86,9 @@ TEST_P(ZlibEncoders, StreamsDependOnTheirInputAlone) {
       Bytes first;
       for (std::size_t k = 0; k < encoders.size(); ++k) {
         Bytes out(6000);
-        if (i % 10 == 0) encoders[k]->encode(history[k % history.size()], out);
+        if (i % 10 == 0) encoded(*encoders[k], history[k % history.size()], out);
         out.assign(2000, 0);
-        encoders[k]->encode(data, out);
+        encoded(*encoders[k], data, out);
         if (k == 0) first = out;
         ASSERT_EQ(out, first) << data.size() << " bytes, encoder " << k;
       }
