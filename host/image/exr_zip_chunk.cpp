@@ -49,10 +49,10 @@ void ExrZipChunks::prepare(int first_line, int lines) {
   split.finish();
 }
 
-// Of the prepared bytes. Those of a blank span are by turns the same two, but for the first, which are differences to
+// Of the prepared bytes. Those of a blank span are by turns the same two, but for the first, which is the difference to
 // the span before.
 std::uint32_t ExrZipChunks::checksum(int lines) const {
-  constexpr std::size_t different = 3;
+  constexpr std::size_t different = 1;
   RunningAdler32 adler;
   const std::uint8_t *from = prepared_.data(), *at = from;  // what lies between is not added yet
   const auto add = [&](const PixelSpan& span, std::size_t bytes) {

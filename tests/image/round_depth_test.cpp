@@ -44,11 +44,16 @@ TEST(RoundDepth, LeavesBlankBlocksAndTheirNotes) {
   FrameBuffer frame = disc_frame(200, 90);
   round_depth(frame, 1e-3);
   EXPECT_FALSE(frame.blank_block(0, 0)) << "nothing is known of a frame that somebody wrote to";
-  make_blank(frame, 3, 2, 0x3c01);  // with what nobody may look at
+  make_blank(frame, 3, 2, 0);
+  float& inside = [&frame]() -> float& {
+    const RawFrame memory(frame);
+    return reinterpret_cast<float*>(memory.data + 40 * memory.row_bytes + memory.depth_offset)[50];
+  }();
+  inside = 1.2345678f;  // what nobody may look at
   round_depth(frame, 1e-3);
   EXPECT_TRUE(frame.blank_block(3, 2));
   EXPECT_FALSE(frame.blank_block(4, 2));
-  EXPECT_EQ(std::as_const(frame).depth_row(40)[50], 1.0f);
+  EXPECT_EQ(std::as_const(frame).depth_row(40)[50], 1.2345678f);
 }
 
 TEST(RoundDepth, LeavesAFrameThatNeedsAllItsBitsOrHasNoDepth) {
