@@ -1,9 +1,12 @@
 // morphcl_bench_draw: times morphcl on one scene, from the frame number to pixels in host memory.
 //
 // A frame is its plan and its rendering into planes of half R, G, B, A and float Z that the program then owns: what the
-// tool does before it writes a file. Warm-up frames are not counted.
+// tool does before it writes a file. Warm-up frames are not counted. --samples and --colors-only: several samples a
+// pixel, and no Z.
 
 #include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 
 #include "bench/morphcl_scene.hpp"
 #include "bench/report.hpp"
@@ -43,14 +46,21 @@ Subject make_subject(const Options& options) {
   return {morphcl_scene(bench, frames), figures, frames};
 }
 
-void run(const Options& options) {
-  const Subject subject = make_subject(options);
+struct Picture {
+  int samples = 1;
+  bool colors_only = false;
+};
+
+void run(const Options& options, const Picture& asked_for) {
+  Subject subject = make_subject(options);
+  subject.scene.image.samples = asked_for.samples;
+  subject.scene.image.depth = !asked_for.colors_only;
   SessionOptions session_options;
   session_options.threads = prepare_process(options.threads);
   const std::shared_ptr<Session> session = Session::open(session_options);
   const std::unique_ptr<Renderer> renderer = make_device_renderer(session);
   const Planner planner(subject.scene);
-  FrameBuffer frame(subject.figures.width, subject.figures.height, true, true);
+  FrameBuffer frame(subject.figures.width, subject.figures.height, true, !asked_for.colors_only);
 
   for (int i = 0; i < warm_up_frames; ++i) renderer->render(planner.plan(std::min(i, subject.frames - 1)), frame);
   session->store_programs();
@@ -80,9 +90,13 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    const auto options =
-        morphcl::bench::parse_options(argc, argv, "Times morphcl on a scene: plan and render to RGBA and Z.");
-    if (options) morphcl::bench::run(*options);
+    morphcl::bench::Picture picture;
+    const auto options = morphcl::bench::parse_options(
+        argc, argv, "Times morphcl on a scene: plan and render to RGBA and Z.", [&picture](CLI::App& app) {
+          app.add_option("--samples", picture.samples, "a pixel; default: 1")->check(CLI::IsMember({1, 2, 4, 8, 16}));
+          app.add_flag("--colors-only", picture.colors_only, "RGBA without Z");
+        });
+    if (options) morphcl::bench::run(*options, picture);
     return 0;
   } catch (const morphcl::Error& error) {
     fmt::print(stderr, "morphcl_bench_draw: {}\n", error.what());

@@ -61,6 +61,10 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
   image("--size", scene.size, "Pixels, 1 to 16384 each; default: the shot's, 1920x1080 for a model")->type_name("WxH");
   image("--channels", scene.channels, "RGBA (half, premultiplied), Z (float); default: the shot's, RGBA,Z for a model")
       ->type_name("LIST");
+  image("--samples", scene.samples,
+        "A pixel: 1, 2, 4, 8, 16; colour and alpha are their mean, Z stays the centre's; default: the shot's, 1 for a "
+        "model")
+      ->type_name("N");
   image("--depth-buffer", scene.depth_buffer,
         "What decides which surface is nearest: reversed_float, float, fixed16, fixed24, fixed32; default: the shot's")
       ->type_name("NAME");

@@ -68,7 +68,8 @@ class Files {
 
 int compare_command(const CompareOptions& options) {
   if (options.frames) parse_frame_range(*options.frames);  // a wrong one is reported before a large file is read
-  const Scene scene = open_scene(options.scene);
+  Scene scene = open_scene(options.scene);
+  scene.image.samples = 1;  // what is compared is seen at the pixels' centres
   const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
   print_warnings(scene);
   Files files(options.out, scene);

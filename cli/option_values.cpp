@@ -129,6 +129,14 @@ void set_compression(const std::string& name, ImageSettings& image) {
   image.compression = name;
 }
 
+void set_samples(const std::string& text, ImageSettings& image) {
+  const auto samples = whole_number<int>(text, 1, sample_counts.back());
+  if (!samples || std::find(sample_counts.begin(), sample_counts.end(), *samples) == sample_counts.end())
+    throw Error(ErrorKind::usage, "--samples",
+                fmt::format("'{}' samples a pixel; 1, 2, 4, 8 or 16 are possible", text));
+  image.samples = *samples;
+}
+
 void set_depth_buffer(const std::string& name, ImageSettings& image) {
   const auto format = depth_format_named(name);
   if (!format) {

@@ -20,6 +20,7 @@ double parse_exposure(const std::string& text);                        // stops:
 int parse_png_bits(const std::string& text);                           // "8" or "16"
 void set_channels(const std::string& list, ImageSettings& image);      // "RGBA", "Z" or "RGBA,Z"
 void set_compression(const std::string& name, ImageSettings& image);   // one of compression_names()
+void set_samples(const std::string& text, ImageSettings& image);       // "1", "2", "4", "8" or "16"
 void set_depth_buffer(const std::string& name, ImageSettings& image);  // the name of one of depth_formats
 // "1e-6": above 0, at most max_relative_error, and the image has Z. set_channels() without Z takes it back.
 void set_z_error(const std::string& text, ImageSettings& image);

@@ -27,12 +27,14 @@ Scene open_scene(const SceneOptions& options) {
   if (options.compression) set_compression(*options.compression, checked);
   if (options.depth_buffer) set_depth_buffer(*options.depth_buffer, checked);
   if (options.z_error) set_z_error(*options.z_error, checked);
+  if (options.samples) set_samples(*options.samples, checked);
 
   Scene scene = load_scene(options.path, load);
   if (options.channels) set_channels(*options.channels, scene.image);
   if (options.compression) set_compression(*options.compression, scene.image);
   if (options.depth_buffer) set_depth_buffer(*options.depth_buffer, scene.image);
   if (options.z_error) set_z_error(*options.z_error, scene.image);
+  if (options.samples) set_samples(*options.samples, scene.image);
   return scene;
 }
 

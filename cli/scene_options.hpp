@@ -14,6 +14,7 @@ struct SceneOptions {
   std::optional<std::string> size;                      // "1920x1080"
   std::optional<std::string> channels;                  // "RGBA,Z"
   std::optional<std::string> compression;               // "zip"
+  std::optional<std::string> samples;                   // "4"
   std::optional<std::string> depth_buffer;              // "fixed24"
   std::optional<std::string> z_error;                   // "1e-6"
   std::optional<std::string> fps;                       // "25", "30000/1001"

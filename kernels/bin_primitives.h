@@ -22,7 +22,7 @@
 // A chunk's bins while they are filled.
 typedef struct {
   PagedBins fragments, entries;
-  global ulong* fragment_keys;
+  global Fragment* fragments_of_pixels;
   global ushort* fragment_places;
   global uint* entry_triangles;
   global LargeTriangle* large;
@@ -31,12 +31,28 @@ typedef struct {
   global const FrameConstants* frame;
 } Bins;
 
+#if SAMPLES == 1
 static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, uint id) {
   const uint at = next_entry(&bins->fragments, (uint)((y / TILE) * bins->tiles_x + x / TILE));
   if (at >= bins->fragments.capacity * PAGE) return;
-  bins->fragment_keys[at] = ((ulong)depth_bits << 32) | id;
+  bins->fragments_of_pixels[at] = ((ulong)depth_bits << 32) | id;
   bins->fragment_places[at] = (ushort)((y % TILE) * TILE + x % TILE);
 }
+#else
+static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, float depth_dx, float depth_dy, uint mask,
+                                uint id) {
+  const uint at = next_entry(&bins->fragments, (uint)((y / TILE) * bins->tiles_x + x / TILE));
+  if (at >= bins->fragments.capacity * PAGE) return;
+  SampleFragment f;
+  f.depth = depth_bits;
+  f.id = id;
+  f.depth_dx = depth_dx;
+  f.depth_dy = depth_dy;
+  const uint block = (uint)(y % TILE / TILE_BLOCK * TILE_BLOCKS + x % TILE / TILE_BLOCK);
+  f.place_and_mask = mask << PLACE_IN_TILE_BITS | block << 8 | (uint)(y % TILE_BLOCK) << 4 | (uint)(x % TILE_BLOCK);
+  bins->fragments_of_pixels[at] = f;
+}
+#endif
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
@@ -71,10 +87,10 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
 
   const int dx[3] = {t.d1x, c.x - b.x, -t.d2x}, dy[3] = {t.d1y, c.y - b.y, -t.d2y};
   const int vx[3] = {a.x, b.x, c.x}, vy[3] = {a.y, b.y, c.y};
-  const long reach = (TILE - 1) * SUBPIXELS;
+  const long reach = (TILE - 1) * SUBPIXELS + (LAST_SAMPLE - FIRST_SAMPLE);
   for (int tile_y = first_y / TILE; tile_y <= last_y / TILE; tile_y++)
     for (int tile_x = first_x / TILE; tile_x <= last_x / TILE; tile_x++) {
-      const int px = tile_x * TILE * SUBPIXELS + HALF_PIXEL, py = tile_y * TILE * SUBPIXELS + HALF_PIXEL;
+      const int px = tile_x * TILE * SUBPIXELS + FIRST_SAMPLE, py = tile_y * TILE * SUBPIXELS + FIRST_SAMPLE;
       bool misses = false, covers = true;
       FOR_THREE(e) {
         const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py);
@@ -94,9 +110,30 @@ static inline long floor_divide(long numerator, long denominator) {  // denomina
   return quotient * denominator > numerator ? quotient - 1 : quotient;
 }
 
+// What a wide line leaves at a pixel.
+static inline void add_line_fragments(Bins* bins, bool steep, int along, int other, const LineDepth* depth, long offset,
+                                      long run, uint mask, uint id) {
+  const int x = steep ? other : along, y = steep ? along : other;
+  uint depth_bits;
+#if SAMPLES == 1
+  if (depth_on_line(depth, offset, run, &depth_bits)) add_fragment(bins, x, y, depth_bits, id);
+#elif defined(FORWARD_DEPTH)
+  for (int s = 0; s < SAMPLES; s++) {
+    const long sample_offset = offset + (steep ? sample_y[s] : sample_x[s]) * SAMPLE_UNIT;
+    if (mask >> s & 1u && depth_on_line(depth, sample_offset, run, &depth_bits))
+      add_fragment(bins, x, y, depth_bits, 0.0f, 0.0f, 1u << s, id);
+  }
+#else
+  depth_on_line(depth, offset, run, &depth_bits);
+  const float slope = depth->change * (float)SUBPIXELS / (float)run;
+  add_fragment(bins, x, y, depth_bits, steep ? 0.0f : slope, steep ? slope : 0.0f, mask, id);
+#endif
+}
+
+#if SAMPLES == 1
 // One pixel for each column (or, in steep lines, row) whose centre lies in the half-open run from the first end to the
 // last; the pixel is the one the exact line passes through there.
-static inline void bin_line(Bins* bins, int4 a, int4 b, uint id) {
+static inline void bin_thin_line(Bins* bins, int4 a, int4 b, uint id) {
   const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
   if (steep ? b.y < a.y : b.x < a.x) {
     const int4 swapped = a;
@@ -119,6 +156,61 @@ static inline void bin_line(Bins* bins, int4 a, int4 b, uint id) {
   }
 }
 
+#endif
+
+// Half of what a line covers across its longer axis, in sub-pixels.
+static inline long half_thickness(long run, long rise, uint width) {
+  const float along = (float)run, across = (float)rise;
+  const float length = sqrt(fma(across, across, along * along));
+  return max((int)(0.5f * (float)width * (length / along) + 0.5f), 1);
+}
+
+// A parallelogram: as long as the line along its longer axis, half open, and half_thickness() to both sides of it.
+static inline void bin_wide_line(Bins* bins, int4 a, int4 b, uint width, uint id) {
+  const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
+  if (steep ? b.y < a.y : b.x < a.x) {
+    const int4 swapped = a;
+    a = b;
+    b = swapped;
+  }
+  const int start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
+  const long run = stop - start, rise = (steep ? b.x - a.x : b.y - a.y);
+  if (run == 0) return;
+  const long thickness = half_thickness(run, rise, width) * run;
+  const int limit = steep ? bins->height : bins->width, across_limit = steep ? bins->width : bins->height;
+  // Of a pixel to the one next to it the line moves by a pixel across at most.
+  const long reach = thickness / run / SUBPIXELS + 2;
+  const int first = max(FIRST_PIXEL(start), 0), last = min(LAST_PIXEL(stop), limit - 1);
+  const LineDepth depth = line_depth(a, b, bins->frame);
+  for (int along = first; along <= last; along++) {
+    const long centre_offset = along * SUBPIXELS + HALF_PIXEL - start;
+    const long middle = floor_divide(across * run + rise * centre_offset, run * SUBPIXELS);
+    const int low = (int)clamp(middle - reach, 0L, (long)across_limit),
+              high = (int)clamp(middle + reach, -1L, (long)across_limit - 1);
+    for (int other = low; other <= high; other++) {
+      uint mask = 0;
+      for (int s = 0; s < SAMPLES; s++) {
+        const int along_sample = (steep ? sample_y[s] : sample_x[s]) * SAMPLE_UNIT,
+                  across_sample = (steep ? sample_x[s] : sample_y[s]) * SAMPLE_UNIT;
+        const long offset = centre_offset + along_sample;
+        const long beside = run * (other * SUBPIXELS + HALF_PIXEL + across_sample - across) - rise * offset;
+        if (offset >= 0 && offset < run && beside >= -thickness && beside < thickness) mask |= 1u << s;
+      }
+      if (mask) add_line_fragments(bins, steep, along, other, &depth, centre_offset, run, mask, id);
+    }
+  }
+}
+
+static inline void bin_line(Bins* bins, int4 a, int4 b, uint width, uint id) {
+#if SAMPLES == 1
+  if (width == SUBPIXELS) {
+    bin_thin_line(bins, a, b, id);
+    return;
+  }
+#endif
+  bin_wide_line(bins, a, b, width, id);
+}
+
 // ---- small triangles ------------------------------------------------------------------------------------------------
 
 typedef struct {
@@ -131,57 +223,11 @@ static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px
   return dx * (py - vy) - dy * (px - vx) - (1 + owns_edge);
 }
 
-static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x,
-                                             int16 first_y, int16 last_x, int16 last_y, uint first_id) {
-  const int16 d1x = t.x[1] - t.x[0], d1y = t.y[1] - t.y[0], d2x = t.x[2] - t.x[0], d2y = t.y[2] - t.y[0];
-  const int16 d3x = t.x[2] - t.x[1], d3y = t.y[2] - t.y[1];
-  const int16 px = first_x * SUBPIXELS + HALF_PIXEL, py = first_y * SUBPIXELS + HALF_PIXEL;
-  int16 row0 = edge_values(d1x, d1y, t.x[0], t.y[0], px, py);
-  int16 row1 = edge_values(d3x, d3y, t.x[1], t.y[1], px, py);
-  int16 row2 = edge_values(-d2x, -d2y, t.x[2], t.y[2], px, py);
-
-  const int16 dx = px - t.x[0], dy = py - t.y[0];
-  const SmallPlanes planes =
-      small_planes(t.depth, area, dx * d2y - dy * d2x, dy * d1x - dx * d1y, d1x, d1y, d2x, d2y, bins->frame);
-
-  const int16 columns = last_x - first_x, rows = last_y - first_y;
-  for (int j = 0; j < SMALL_PIXELS; j++) {
-    if (!any_lane(active & (rows >= j))) break;
-    const int16 row_active = active & (rows >= j) & (first_y >= -j);  // first rows may lie above the image
-    const SmallRow row = small_row(&planes, j);
-    int16 value0 = row0, value1 = row1, value2 = row2;
-    for (int i = 0; i < SMALL_PIXELS; i++) {
-      const int16 in_box = row_active & (columns >= i);
-      int16 covered = in_box & (first_x >= -i) & ((value0 | value1 | value2) >= 0);
-      if (any_lane(covered)) {
-        const Depths depth = small_depths(&planes, row, i, &covered);
-        const ulong2 lanes = mask_bytes(covered);
-        const int16 x = first_x + i, y = first_y + j;
-        uint depth_bits[LANES];
-        int tile[LANES], place[LANES];
-        vstore16(as_uint16(depth), 0, depth_bits);
-        vstore16((y >> TILE_BITS) * bins->tiles_x + (x >> TILE_BITS), 0, tile);
-        vstore16(((y & (TILE - 1)) << TILE_BITS) | (x & (TILE - 1)), 0, place);
-        for (int half_vector = 0; half_vector < 2; half_vector++)
-          for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
-            const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
-            bytes = without_lane(bytes, in_half);
-            const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
-            if (at >= bins->fragments.capacity * PAGE) continue;
-            bins->fragment_keys[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * PIECES);
-            bins->fragment_places[at] = (ushort)place[lane];
-          }
-      }
-      value0 -= d1y * SUBPIXELS;
-      value1 -= d3y * SUBPIXELS;
-      value2 += d2y * SUBPIXELS;
-      if (i + 1 < SMALL_PIXELS && !any_lane(in_box & (columns > i))) break;
-    }
-    row0 += d1x * SUBPIXELS;
-    row1 += d3x * SUBPIXELS;
-    row2 -= d2x * SUBPIXELS;
-  }
-}
+#if SAMPLES == 1
+#include "small_triangles.h"
+#else
+#include "small_triangle_samples.h"
+#endif
 
 static inline void bin_triangle_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,
                                       global const int4* vertices, uint first, uint first_id) {
@@ -242,14 +288,14 @@ static inline void bin_line_group(Bins* bins, global const DrawConstants* draw, 
   global const int4* records = vertices + (size_t)draw->first_vertex_group * LANES;
   for (uint lane = 0; lane < LANES; lane++) {
     const int4 a = records[start[lane]], b = records[start[lane + draw->index_pitch]];
-    if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, first_id + lane * PIECES);
+    if (a.x != OUTSIDE && b.x != OUTSIDE) bin_line(bins, a, b, draw->line_width, first_id + lane * PIECES);
   }
 }
 
 static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, global const int4* corners, uint count,
                                uint first_id) {
   if (draw->flags & DRAW_LINES) {
-    if (count == 2) bin_line(bins, corners[0], corners[1], first_id + 1);
+    if (count == 2) bin_line(bins, corners[0], corners[1], draw->line_width, first_id + 1);
     return;
   }
   const uint second = draw->flags & DRAW_MIRRORED ? 0 : 1;
@@ -268,7 +314,7 @@ static inline Bins empty_bins(ChunkBins own, global const FrameConstants* frame)
   bins.entries.next = own.entry_next;
   bins.entries.pages = 1;
   bins.entries.capacity = frame->entry_pages;
-  bins.fragment_keys = own.fragment_keys;
+  bins.fragments_of_pixels = own.fragments;
   bins.fragment_places = own.fragment_places;
   bins.entry_triangles = own.entry_triangles;
   bins.large = own.large;
@@ -288,9 +334,9 @@ static inline Bins empty_bins(ChunkBins own, global const FrameConstants* frame)
 COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict frame,
                              global const DrawConstants* restrict draws, global const uint* restrict indices,
                              global const int4* restrict vertices, global const ClippedPrimitive* restrict clipped,
-                             global ulong* restrict fragment_keys, global BinsHeader* restrict shared_bins,
+                             global Fragment* restrict fragments, global BinsHeader* restrict shared_bins,
                              global LargeTriangle* restrict large) {
-  Bins bins = empty_bins(bins_of_chunk(chunk, frame, shared_bins, fragment_keys, large), frame);
+  Bins bins = empty_bins(bins_of_chunk(chunk, frame, shared_bins, fragments, large), frame);
   const GroupRange groups = primitive_groups_of(chunk, frame);
   for (uint order = groups.first; order < groups.end; order++) {
     global const DrawConstants* draw = &draws[draw_in_order(draws, frame)[order]];

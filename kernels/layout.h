@@ -35,6 +35,7 @@
 #define MORPHCL_LAYOUT_H
 
 #include "camera.h"
+#include "sample_pattern.h"
 
 #define LANES 16  // of a vector; vertices or primitives in a group
 #define TILE_BITS 6
@@ -107,15 +108,15 @@
 //                  background for each row. At most 80 bytes a draw, 8 a row of the picture and 4 a chunk of 64 vertex
 //                  groups, while a draw has at least 256 bytes of vertices. (Lights are read for every pixel: time ends
 //                  them, not memory.)
-//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 236 a
+//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 240 a
 //                  draw, 4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at
 //                  least 256 a primitive group: one of them is the larger.
 //   clipped        source and weights: 104 bytes a primitive, whose corners take 128 of the vertices.
 //   bins           all of the bins but the fragments' keys and the large triangles. Lists of the tiles take 268 bytes a
 //                  tile and chunk, the rest a quarter of the keys. Where that is too much, there are fewer chunks: of
 //                  one chunk the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp).
-//   fragment_keys, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets: each on its own,
-//   since any of them can be the largest.
+//   fragment_keys or sample_fragments, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets:
+//   each on its own, since any of them can be the largest.
 
 typedef struct {
   float object_to_clip[4][4];  // rows x, y, depth, w; entry 3 is the constant
@@ -135,7 +136,8 @@ typedef struct {
   uint index_pitch;
   uint first_target;  // into the table of active targets
   uint target_count;
-  uint precise;  // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
+  uint precise;     // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
+  uint line_width;  // sub-pixels
 } DrawConstants;
 
 typedef struct {
@@ -173,6 +175,15 @@ typedef struct {
 typedef struct {
   uint clipped, fragment_pages, entry_pages, large;
 } ChunkStatus;
+
+// Of pixels with several samples: what a small triangle or a line leaves at one pixel. Depth is a plane there; where it
+// is stored as a key, each sample has a fragment of its own, without slopes.
+typedef struct {
+  uint depth, id;            // bits of the depth at the pixel's centre
+  float depth_dx, depth_dy;  // per pixel
+  uint place_and_mask;  // of the pixel in the tile: block << 8 | row << 4 | column; above, bit s: sample s is covered
+} SampleFragment;
+#define PLACE_IN_TILE_BITS 12
 
 // What the buffer of the bins begins with.
 typedef struct {
@@ -216,6 +227,8 @@ typedef struct {
   uint tests_depth;        // 0: the plan proved that no pixel centre is covered twice
   uint has_background;     // 0: colour and alpha are 0 where nothing is drawn
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written
+  uint first_of_two;       // of two passes over the picture, colour and distances: notes keep both kinds of marks
+  uint second_of_two;
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
   uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;

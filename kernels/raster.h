@@ -1,16 +1,24 @@
 // Exact coverage of triangles on the sub-pixel grid, shared by binning, tiles and shading.
 //
-// y grows downwards; a triangle is turned so that its doubled area is positive. A pixel is covered when its centre is
-// inside every edge or on a top or left edge, decided in integers: a shared edge is hit exactly once.
+// y grows downwards; a triangle is turned so that its doubled area is positive. A sample is covered when it is inside
+// every edge or on a top or left edge, decided in integers: a shared edge is hit exactly once. One sample a pixel is
+// its centre.
 
 #ifndef MORPHCL_RASTER_H
 #define MORPHCL_RASTER_H
 
 #include "layout.h"
 
-// First and last pixel whose centre lies in [low, high] sub-pixels.
-#define FIRST_PIXEL(low) (((low) + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS)
-#define LAST_PIXEL(high) (((high) - HALF_PIXEL) >> SUBPIXEL_BITS)
+// Of a pixel's samples, from its upper left, along both axes: sub-pixels.
+#define SAMPLE_UNIT (1 << SAMPLE_UNIT_BITS)
+#define FIRST_SAMPLE (HALF_PIXEL + MIN_SAMPLE(SAMPLES) * SAMPLE_UNIT)
+#define LAST_SAMPLE (HALF_PIXEL + MAX_SAMPLE(SAMPLES) * SAMPLE_UNIT)
+
+constant int sample_x[SAMPLES] = {SAMPLES_X}, sample_y[SAMPLES] = {SAMPLES_Y};  // in units of SAMPLE_UNIT
+
+// First and last pixel of which a sample may lie in [low, high] sub-pixels.
+#define FIRST_PIXEL(low) (((low) + (SUBPIXELS - 1 - LAST_SAMPLE)) >> SUBPIXEL_BITS)
+#define LAST_PIXEL(high) (((high) - FIRST_SAMPLE) >> SUBPIXEL_BITS)
 
 // Where the next entry of a tile goes. A chunk keeps, for every tile, a list of pages of PAGE entries; page 0 stands
 // for "none". heads[tile] is the index behind the tile's newest entry, next[page] the page filled before it (layout.h).
@@ -40,7 +48,7 @@ static inline uint head_before(global const uint* next, uint head) {
   return page ? (page + 1) * PAGE : 0;
 }
 
-// E(p) = dx (py - vy) - dy (px - vx), less 1 where a centre on the edge belongs to the neighbour.
+// E(p) = dx (py - vy) - dy (px - vx), less 1 where a sample on the edge belongs to the neighbour.
 static inline long edge_value(int dx, int dy, int vx, int vy, int px, int py) {
   const int owns_edge = dy < 0 || (dy == 0 && dx > 0);
   return (long)dx * (py - vy) - (long)dy * (px - vx) - (owns_edge ? 0 : 1);

@@ -14,6 +14,11 @@
 #include "tables.h"
 #include "vector.h"
 
+// The buffer may be too coarse for lighting, and of several samples none is where a pixel is shaded.
+#if defined(FORWARD_DEPTH) || SAMPLES > 1
+#define INTERPOLATES_DISTANCE
+#endif
+
 typedef struct {
   global const FrameConstants* frame;
   global const DrawConstants* draws;
@@ -24,10 +29,19 @@ typedef struct {
   uint clipped_count;  // slots in use
 } Shader;
 
+#if SAMPLES == 1
 typedef struct {
   int x, y;  // of the first pixel
   Depths depth;
 } Pixels;
+#else
+// Places of any pixels of the picture, sub-pixels.
+typedef struct {
+  int16 x, y;                    // centres
+  int16 centroid_x, centroid_y;  // from there: the mean of the samples that show the primitive
+  bool centres_are_inside;       // of the primitives in all lanes: known without a look at them
+} Pixels;
+#endif
 
 // What the colour of 16 pixels depends on beside their place: gathered once for all pixels that show one primitive.
 typedef struct {
@@ -35,8 +49,8 @@ typedef struct {
   Rgb color;         // base colour times the face's light
   int16 x[3], y[3];  // corners on the screen, sub-pixels
   float16 inverse_w[3];
-#ifdef FORWARD_DEPTH
-  float16 distance[3];  // of the corners
+#ifdef INTERPOLATES_DISTANCE
+  float16 depth[3];  // of the corners, as vertex records keep it
 #endif
   EyeVector normal[3];  // at the mesh's vertices; smooth draws
   Rgb tint[3];          // vertex colours
@@ -45,12 +59,33 @@ typedef struct {
   float16 cut[3][3];    // [corner][vertex]
 } Surface;
 
+ALWAYS_INLINE Shader shader_of(global const FrameConstants* frame, global const DrawConstants* draws,
+                               global const uint* indices, global const int4* vertices, global const int4* attributes,
+                               global const int4* colors, global const int4* face_colors,
+                               global const ClippedPrimitive* clipped, global BinsHeader* bins) {
+  Shader s;
+  s.frame = frame;
+  s.draws = draws;
+  s.draw_of_group = draw_of_primitive_group(draws, frame);
+  s.indices = indices;
+  s.vertices = vertices;
+  s.attributes = attributes;
+  s.colors = colors;
+  s.face_colors = face_colors;
+  s.clipped = clipped;
+  s.clipped_count = 0;
+  if (frame->clips)
+    for (uint chunk = 0; chunk < frame->chunk_count; chunk++)
+      s.clipped_count += chunk_status(bins, frame)[chunk].clipped;
+  return s;
+}
+
 // Perspective-correct weights of the mesh's vertices, not divided by their sum; all have the sign of the triangle's
 // orientation on the screen.
 typedef struct {
   float16 vertex[3];
-#ifdef FORWARD_DEPTH
-  float16 distance;  // along the view axis, interpolated like an attribute: the buffer may be too coarse for lighting
+#ifdef INTERPOLATES_DISTANCE
+  float16 distance;  // along the view axis, interpolated like an attribute
 #endif
 } Weights;
 
@@ -146,8 +181,8 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
     surface->inverse_w[i] = as_float16(f0);
-#ifdef FORWARD_DEPTH
-    surface->distance[i] = as_float16(f1);
+#ifdef INTERPOLATES_DISTANCE
+    surface->depth[i] = as_float16(f1);
 #endif
   }
   if (draw->flags & DRAW_SMOOTH) FOR_THREE(i) {
@@ -170,21 +205,44 @@ ALWAYS_INLINE float16 weighted(Weights w, float16 a, float16 b, float16 c) {
   return fma(w.vertex[0], a, fma(w.vertex[1], b, w.vertex[2] * c));
 }
 
-ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels p) {
-  const int16 px = (p.x + LANE) * SUBPIXELS + HALF_PIXEL, py = p.y * SUBPIXELS + HALF_PIXEL;
+// Doubled areas opposite to the corners, at places in sub-pixels.
+typedef struct {
+  float16 corner[3];
+} Areas;
+ALWAYS_INLINE Areas areas_at(const Surface* surface, int16 px, int16 py) {
   float16 dx[3], dy[3];
   FOR_THREE(i) {
     dx[i] = convert_float16(surface->x[i] - px);
     dy[i] = convert_float16(surface->y[i] - py);
   }
-  Weights w;
-  w.vertex[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
-  w.vertex[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
-  w.vertex[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
-  if (!s->frame->camera.parallel) FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
+  Areas areas;
+  areas.corner[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
+  areas.corner[1] = difference_of_products(dx[2], dy[0], dx[0], dy[2]);
+  areas.corner[2] = difference_of_products(dx[0], dy[1], dx[1], dy[0]);
+  return areas;
+}
+
 #ifdef FORWARD_DEPTH
-  w.distance = weighted(w, surface->distance[0], surface->distance[1], surface->distance[2]) /
-               (w.vertex[0] + w.vertex[1] + w.vertex[2]);
+ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
+  return weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) /
+         (w.vertex[0] + w.vertex[1] + w.vertex[2]);
+}
+#elif SAMPLES > 1
+// The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
+ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
+  if (!s->frame->has_point_lights) return 0.0f;  // nobody asks
+  const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
+  if (s->frame->camera.parallel) return -(weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) / total);
+  return (areas.corner[0] + areas.corner[1] + areas.corner[2]) / total;
+}
+#endif
+
+ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Areas areas) {
+  Weights w;
+  FOR_THREE(i) w.vertex[i] = areas.corner[i];
+  if (!s->frame->camera.parallel) FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
+#ifdef INTERPOLATES_DISTANCE
+  w.distance = interpolated_distance(s, surface, areas, w);
 #endif
   if (surface->any_cut) {
     const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
@@ -197,14 +255,46 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
   return w;
 }
 
+#if SAMPLES == 1
+ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
+  const int16 px = (p->x + LANE) * SUBPIXELS + HALF_PIXEL, py = p->y * SUBPIXELS + HALF_PIXEL;
+  return weights_from(s, surface, areas_at(surface, px, py));
+}
+#else
+// At the centre where it is in the triangle, else at the centroid, to which the place moves. That is rounded to
+// sub-pixels: of needles it may lie outside by less than one. Nothing is extrapolated all the same.
+ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
+  Areas areas = areas_at(surface, p->x, p->y);
+  if (p->centres_are_inside) return weights_from(s, surface, areas);
+  const float16 low = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
+                high = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
+  const int16 outside = (low < 0.0f) & (high > 0.0f);
+  if (any_lane(outside)) {
+    p->x += p->centroid_x & outside;
+    p->y += p->centroid_y & outside;
+    areas = areas_at(surface, p->x, p->y);
+    const int16 positive = areas_at(surface, surface->x[0], surface->y[0]).corner[0] >= 0.0f;  // the whole area
+    FOR_THREE(i) {
+      const int16 wrong = select(areas.corner[i] > 0.0f, areas.corner[i] < 0.0f, positive);
+      areas.corner[i] = select(areas.corner[i], (float16)(0.0f), outside & wrong);
+    }
+  }
+  return weights_from(s, surface, areas);
+}
+#endif
+
 // Where what the pixels show is in eye space.
 ALWAYS_INLINE EyeVector eye_position(const Shader* s, Pixels p, Weights w) {
-#ifdef FORWARD_DEPTH
+#ifdef INTERPOLATES_DISTANCE
   const float16 distance = w.distance;
 #else
   const float16 distance = eye_distance(s->frame, p.depth);
 #endif
+#if SAMPLES == 1
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
+#else
+  const float16 x = convert_float16(p.x) * (1.0f / SUBPIXELS), y = convert_float16(p.y) * (1.0f / SUBPIXELS);
+#endif
   EyeVector position;
   position.x = fma(x, (float16)(s->frame->camera.ray[0]), (float16)(s->frame->camera.ray[1]));
   position.y = fma(y, (float16)(s->frame->camera.ray[2]), (float16)(s->frame->camera.ray[3]));
@@ -240,7 +330,7 @@ ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels 
   Rgb color = surface->color;
   const uint flags = surface->draw->flags;
   if (!(flags & NEEDS_WEIGHTS)) return color;
-  const Weights w = vertex_weights(s, surface, p);
+  const Weights w = vertex_weights(s, surface, &p);
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (flags & (DRAW_SMOOTH | DRAW_LIT_PER_PIXEL)) {
     const Rgb light = flags & DRAW_SMOOTH ? smooth_light(s, surface, p, w, total)

@@ -20,104 +20,8 @@
 #include "shade.h"
 #include "tables.h"
 #include "tile.h"
+#include "tile_pixels.h"
 #include "vector.h"
-
-// ---- pixels ---------------------------------------------------------------------------------------------------------
-
-// Where a tile's pixels and its note are.
-typedef struct {
-  global uchar *red, *green, *blue, *alpha, *distance;  // of the first pixel
-  size_t row_bytes;
-  global uint* blank_blocks;
-} TilePixels;
-
-// The place of tile `tile_x` in the first of its rows.
-ALWAYS_INLINE TilePixels pixels_of_tile(global const FrameConstants* frame, global uchar* first_row, uint tile_x) {
-  TilePixels pixels;
-  pixels.red = first_row + frame->color_offset[0] + tile_x * TILE * sizeof(half);
-  pixels.green = first_row + frame->color_offset[1] + tile_x * TILE * sizeof(half);
-  pixels.blue = first_row + frame->color_offset[2] + tile_x * TILE * sizeof(half);
-  pixels.alpha = first_row + frame->color_offset[3] + tile_x * TILE * sizeof(half);
-  pixels.distance = first_row + frame->depth_offset + tile_x * TILE * sizeof(float);
-  pixels.row_bytes = frame->row_bytes;
-  pixels.blank_blocks = (global uint*)(first_row + frame->notes_offset) + tile_x;
-  return pixels;
-}
-
-// Sixteen halves, rounded to nearest even. Where the processor converts a whole vector it is asked to: vstore_half16
-// goes by halves of vectors.
-ALWAYS_INLINE ushort16 to_halves(float16 value) {
-#if defined(MORPHCL_POCL) && defined(__AVX512F__)
-  typedef _Float16 Halves __attribute__((ext_vector_type(16)));
-  return __builtin_astype(__builtin_convertvector(value, Halves), ushort16);
-#else
-  ushort bits[LANES];
-  vstore_half16(value, 0, (private half*)bits);
-  return vload16(0, bits);
-#endif
-}
-
-// Colour and alpha of 16 pixels of a row.
-typedef struct {
-  ushort16 red, green, blue, alpha;
-} RowColor;
-
-ALWAYS_INLINE RowColor row_color(Rgb color, float16 alpha) {
-  RowColor halves;
-  halves.red = to_halves(color.r);
-  halves.green = to_halves(color.g);
-  halves.blue = to_halves(color.b);
-  halves.alpha = to_halves(alpha);
-  return halves;
-}
-
-// The same where lanes of `shows` have the background of row y.
-ALWAYS_INLINE RowColor over_background(RowColor color, global const FrameConstants* frame, int y, int16 shows) {
-  const ushort4 behind = background_rows(frame)[y];
-  const short16 lanes = convert_short16(shows);
-  color.red = select(color.red, (ushort16)(behind.x), as_ushort16(lanes));
-  color.green = select(color.green, (ushort16)(behind.y), as_ushort16(lanes));
-  color.blue = select(color.blue, (ushort16)(behind.z), as_ushort16(lanes));
-  color.alpha = select(color.alpha, (ushort16)(behind.w), as_ushort16(lanes));
-  return color;
-}
-
-// Two neighbours at a time: what goes past the cache should fill its lines, of 64 bytes on most processors.
-ALWAYS_INLINE void store_line(ushort16 left, ushort16 right, global uchar* out) {
-  STREAM_STORE((ulong8)(as_ulong4(left), as_ulong4(right)), (global ulong8*)out);
-}
-
-ALWAYS_INLINE void store_colors(RowColor left, RowColor right, TilePixels pixels, int first, int row) {
-  const size_t at = row * pixels.row_bytes + first * sizeof(half);
-  store_line(left.red, right.red, pixels.red + at);
-  store_line(left.green, right.green, pixels.green + at);
-  store_line(left.blue, right.blue, pixels.blue + at);
-  store_line(left.alpha, right.alpha, pixels.alpha + at);
-}
-
-// Sixteen columns of the rows of blocks that are shaded together. The surface is kept while its id stays.
-typedef struct {
-  uint content;
-  global const LargeTriangle* triangle;  // a block of one triangle
-  TileDepth corner;                      // its depth at the tile's first pixel
-  uint surface_id;                       // NO_ID: the surface is still to be gathered
-  Surface surface;
-} Column;
-
-ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global const LargeTriangle* large) {
-  column->content = content;
-  if (content == CLEAR || content == PER_PIXEL) return;
-  column->triangle = &large[content];
-  column->corner = depth_of_tile(column->triangle, tile.x, tile.y);
-}
-
-ALWAYS_INLINE Rgb color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
-  if (column->surface_id != id) {
-    gather_surface(s, draw_of(s, id), lanes_of(id), true, &column->surface);
-    column->surface_id = id;
-  }
-  return surface_color(s, &column->surface, p);
-}
 
 // One row of a block: stores its distances and returns its colours.
 ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row,
@@ -158,19 +62,11 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   return s->frame->has_background ? over_background(halves, s->frame, p.y, background) : halves;
 }
 
-// A launch's tiles, in the order in which they are drawn: neighbours cost alike, and one thread draws a run of them.
-typedef struct {
-  uint first, count;
-} TileRange;
-ALWAYS_INLINE uint tile_at(uint place, TileRange tiles, global const FrameConstants* frame) {
-  return tiles.first + place * frame->tile_step % tiles.count;
-}
-
 COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameConstants* restrict frame,
                               global const DrawConstants* restrict draws, global const uint* restrict indices,
                               global const int4* restrict vertices, global const int4* restrict attributes,
                               global const int4* restrict colors, global const int4* restrict face_colors,
-                              global const ClippedPrimitive* restrict clipped, global ulong* restrict fragment_keys,
+                              global const ClippedPrimitive* restrict clipped, global Fragment* restrict fragment_keys,
                               global BinsHeader* restrict bins, global LargeTriangle* restrict large,
                               global uchar* restrict picture, TILE_MEMORY Depths* tile_depths,
                               TILE_MEMORY uint16* tile_ids) {
@@ -238,23 +134,9 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   const size_t first_row = (number - tiles.first) / (uint)frame->tiles_x * TILE;
   const TilePixels pixels =
       pixels_of_tile(frame, picture + first_row * frame->row_bytes, number % (uint)frame->tiles_x);
-  uint left_as_it_is = frame->keeps_blank_tiles ? blank & *pixels.blank_blocks : 0u;
-  left_as_it_is &= left_as_it_is >> 1;  // bits of even blocks: both of the pair
-  *pixels.blank_blocks = frame->has_background ? 0u : blank;
+  const uint left_as_it_is = mark_blank_blocks(blank, frame, pixels);
 
-  Shader shader;
-  shader.frame = frame;
-  shader.draws = draws;
-  shader.draw_of_group = draw_of_primitive_group(draws, frame);
-  shader.indices = indices;
-  shader.vertices = vertices;
-  shader.attributes = attributes;
-  shader.colors = colors;
-  shader.face_colors = face_colors;
-  shader.clipped = clipped;
-  shader.clipped_count = 0;
-  if (frame->clips)
-    for (uint chunk = 0; chunk < chunks; chunk++) shader.clipped_count += chunk_status(bins, frame)[chunk].clipped;
+  const Shader shader = shader_of(frame, draws, indices, vertices, attributes, colors, face_colors, clipped, bins);
   Column columns[TILE / TILE_BLOCK];
   for (int i = 0; i < TILE / TILE_BLOCK; i++) columns[i].surface_id = NO_ID;
 
@@ -279,8 +161,8 @@ kernel void shade_tiles(global const FrameConstants* frame, global const DrawCon
                         global const int4* colors, global const int4* face_colors,
                         global const ClippedPrimitive* clipped, global ulong* fragment_keys, global BinsHeader* bins,
                         global LargeTriangle* large, global uchar* picture) {
-  TILE_MEMORY Depths tile_depths[TILE * ROW_VECTORS];
-  TILE_MEMORY uint16 tile_ids[TILE * ROW_VECTORS];
+  TILE_MEMORY Depths tile_depths[TILE_VECTORS];
+  TILE_MEMORY uint16 tile_ids[TILE_VECTORS];
   const TileRange tiles = {(uint)get_global_offset(0), (uint)get_global_size(0)};
   shade_tile((uint)get_global_id(0) - tiles.first, tiles, frame, draws, indices, vertices, attributes, colors,
              face_colors, clipped, fragment_keys, bins, large, picture, tile_depths, tile_ids);

@@ -57,26 +57,32 @@ ALWAYS_INLINE global uint* vertex_chunk_status(global BinsHeader* bins, global c
   return (global uint*)((global char*)bins + frame->bins.vertex_chunk_status);
 }
 
+#if SAMPLES == 1
+typedef ulong Fragment;  // bits of depth << 32 | id
+#else
+typedef SampleFragment Fragment;
+#endif
+
 // What one chunk puts into its bins, and the tiles take out of them: lists of fragments {depth, id, place in the tile}
 // and of entries, one a large triangle and tile.
 typedef struct {
   global uint *fragment_heads, *fragment_next;
-  global ulong* fragment_keys;     // bits of depth << 32 | id
-  global ushort* fragment_places;  // row << TILE_BITS | column in the tile
+  global Fragment* fragments;
+  global ushort* fragment_places;  // row << TILE_BITS | column in the tile; of one sample a pixel
   global uint *entry_heads, *entry_next;
   global uint* entry_triangles;  // index into the chunk's large triangles, perhaps with ENTIRE_TILE
   global LargeTriangle* large;
 } ChunkBins;
 
 ALWAYS_INLINE ChunkBins bins_of_chunk(uint chunk, global const FrameConstants* frame, global BinsHeader* bins,
-                                      global ulong* fragment_keys, global LargeTriangle* large) {
+                                      global Fragment* fragments, global LargeTriangle* large) {
   global char* bytes = (global char*)bins;
   const size_t tile = (size_t)chunk * (uint)(frame->tiles_x * frame->tiles_y);
   const size_t fragment_page = (size_t)chunk * frame->fragment_pages, entry_page = (size_t)chunk * frame->entry_pages;
   ChunkBins own;
   own.fragment_heads = (global uint*)(bytes + frame->bins.fragment_heads) + tile;
   own.fragment_next = (global uint*)(bytes + frame->bins.fragment_next) + fragment_page;
-  own.fragment_keys = fragment_keys + fragment_page * PAGE;
+  own.fragments = fragments + fragment_page * PAGE;
   own.fragment_places = (global ushort*)(bytes + frame->bins.fragment_places) + fragment_page * PAGE;
   own.entry_heads = (global uint*)(bytes + frame->bins.entry_heads) + tile;
   own.entry_next = (global uint*)(bytes + frame->bins.entry_next) + entry_page;

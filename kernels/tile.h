@@ -1,4 +1,4 @@
-// What is visible in a tile of 64 x 64 pixels: for each sample depth and id, kept block by block (16 x 16 samples).
+// What is visible in a tile of 64 x 64 pixels: for each sample depth and id, kept block by block (16 x 16 pixels).
 //
 // A block that nothing touched, or that one large triangle covers in front of all it held, is no more than a note;
 // samples are written when something covers a part of it. The minimum and maximum depth of every block tell which
@@ -18,14 +18,14 @@
 
 // Where a tile's samples are while it is drawn. A CPU's local memory is memory like any other; and PoCL 3.1 gives a
 // local array that a kernel declares to all threads at once.
-#ifdef MORPHCL_POCL
+// Several samples a pixel are more than local memory holds elsewhere.
+#if defined(MORPHCL_POCL) || SAMPLES > 1
 #define TILE_MEMORY private
 #else
 #define TILE_MEMORY local
 #endif
 
-// Samples of the tile, 16 of a row in a vector: rows of ROW_VECTORS vectors.
-#define ROW_VECTORS (TILE / LANES)
+// Samples of the tile, as sample_planes.h or pixel_planes.h have them.
 typedef struct {
   TILE_MEMORY Depths* depth;
   TILE_MEMORY uint16* id;
@@ -43,82 +43,23 @@ typedef struct {
   Depths min, max;  // depths in the block
 } Blocks;
 
-// ---- fragments ------------------------------------------------------------------------------------------------------
-
-static inline void merge_fragments(Tile tile, ChunkBins bins, uint head) {
-  TILE_MEMORY Depth* depths = (TILE_MEMORY Depth*)tile.depth;
-  TILE_MEMORY uint* ids = (TILE_MEMORY uint*)tile.id;
-  while (head) {
-    for (uint i = first_of_page(head); i < head; i++) {
-      const ulong key = bins.fragment_keys[i];
-      const Depth depth = depth_from_bits((uint)(key >> 32));
-      const uint id = (uint)key;
-      const int place = bins.fragment_places[i];
-      const Depth held = depths[place];
-      if (depth > held || (depth == held && id < ids[place])) {
-        depths[place] = depth;
-        ids[place] = id;
-      }
-    }
-    head = head_before(bins.fragment_next, head);
-  }
-}
-
-static inline void place_fragments(Tile tile, ChunkBins bins, uint head) {
-  TILE_MEMORY Depth* depths = (TILE_MEMORY Depth*)tile.depth;
-  TILE_MEMORY uint* ids = (TILE_MEMORY uint*)tile.id;
-  while (head) {
-    for (uint i = first_of_page(head); i < head; i++) {
-      const ulong key = bins.fragment_keys[i];
-      const int place = bins.fragment_places[i];
-      depths[place] = depth_from_bits((uint)(key >> 32));
-      ids[place] = (uint)key;
-    }
-    head = head_before(bins.fragment_next, head);
-  }
-}
-
-// What the tile's planes hold, block by block.
-static inline void survey_blocks(Tile tile, Blocks* blocks) {
-  Depth min_of[LANES], max_of[LANES];
-  uint content[LANES];
-  for (int block = 0; block < LANES; block++) {
-    Depths low = NEAREST_DEPTH, high = FARTHEST_DEPTH;
-    uint16 lowest_id = NO_ID;
-    for (int y = 0; y < TILE_BLOCK; y++) {
-      const int at = (row_of(block) + y) * ROW_VECTORS + column_of(block) / LANES;
-      const Depths held = tile.depth[at];
-      low = min(low, held);
-      high = max(high, held);
-      lowest_id = min(lowest_id, tile.id[at]);
-    }
-    min_of[block] = min_depth(low);
-    max_of[block] = max_depth(high);
-    content[block] = any_lane(lowest_id != NO_ID) ? PER_PIXEL : CLEAR;
-  }
-  blocks->min = vload16(0, min_of);
-  blocks->max = vload16(0, max_of);
-  blocks->content = vload16(0, content);
-}
+#if SAMPLES > 1
+// Vectors of samples hold all those of some pixels side by side.
+#define VECTOR_PIXELS (LANES / SAMPLES)
+#if SAMPLES == 2
+#define OF_LANES(list) (int16)(list, list, list, list, list, list, list, list)
+#elif SAMPLES == 4
+#define OF_LANES(list) (int16)(list, list, list, list)
+#elif SAMPLES == 8
+#define OF_LANES(list) (int16)(list, list)
+#else
+#define OF_LANES(list) (int16)(list)
+#endif
+#define SAMPLE_X_OF_LANES OF_LANES(SAMPLES_X)  // in units of SAMPLE_UNIT
+#define SAMPLE_Y_OF_LANES OF_LANES(SAMPLES_Y)
+#endif
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
-
-static inline void write_out_block(Tile tile, int column, int row, uint content, global const LargeTriangle* large,
-                                   Depth background) {
-  if (content == CLEAR) {
-    for (int y = row; y < row + TILE_BLOCK; y++) {
-      tile.depth[y * ROW_VECTORS + column / LANES] = background;
-      tile.id[y * ROW_VECTORS + column / LANES] = NO_ID;
-    }
-    return;
-  }
-  global const LargeTriangle* t = &large[content];
-  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
-  for (int y = row; y < row + TILE_BLOCK; y++) {
-    tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_row(t, corner, column, y);
-    tile.id[y * ROW_VECTORS + column / LANES] = t->id;
-  }
-}
 
 // The columns and rows of the tile in which the triangle may cover samples.
 typedef struct {
@@ -134,69 +75,73 @@ static inline TileBox box_of(global const LargeTriangle* t, Tile tile) {
   return box;
 }
 
-// A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel and its change to the right
-// and downwards; at least 0 inside. They fit 32 bits where the edge crosses the tile; where it does not, it is replaced
-// by one that all samples pass.
+// A triangle's edges in the tile, in units of whole pixel steps: value at the first pixel (its FIRST_SAMPLE) and its
+// change to the right and downwards; at least 0 inside. They fit 32 bits where the edge crosses the tile; where it does
+// not, it is replaced by one that all samples pass.
 typedef struct {
   int value[3], step_x[3], step_y[3];
+#if SAMPLES > 1
+  int16 to_sample[3];  // in vectors of samples (sample_planes.h): from the first sample of a pixel, along both axes
+#endif
 } TileEdges;
+
+static inline void pass_all_samples(TileEdges* edges, int e) {
+  edges->value[e] = edges->step_x[e] = edges->step_y[e] = 0;
+#if SAMPLES > 1
+  edges->to_sample[e] = 0;
+#endif
+}
 
 static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile, TileEdges* edges, int16* misses,
                                        int16* covers) {
-  const int px = tile.x * SUBPIXELS + HALF_PIXEL, py = tile.y * SUBPIXELS + HALF_PIXEL;
+  const int px = tile.x * SUBPIXELS + FIRST_SAMPLE, py = tile.y * SUBPIXELS + FIRST_SAMPLE;
   const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};
   const int vx[3] = {t->ax, t->ax + t->d1x, t->ax + t->d2x}, vy[3] = {t->ay, t->ay + t->d1y, t->ay + t->d2y};
   FOR_THREE(e) {
-    const long exact = edge_value(dx[e], dy[e], vx[e], vy[e], px, py) >> SUBPIXEL_BITS;
+    const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py), exact = value >> SUBPIXEL_BITS;
     const int step_x = -dy[e], step_y = dx[e];
-    if (exact + (min(0, step_x) + (long)min(0, step_y)) * (TILE - 1) >= 0) {
-      edges->value[e] = edges->step_x[e] = edges->step_y[e] = 0;
+    const long falls = min(0, step_x) + (long)min(0, step_y), rises = max(0, step_x) + (long)max(0, step_y);
+    // Between a pixel's samples, rounded outwards; 0 for a single one.
+    const int falls_in_pixel = (int)(falls * (LAST_SAMPLE - FIRST_SAMPLE) >> SUBPIXEL_BITS),
+              rises_in_pixel = -(int)(-rises * (LAST_SAMPLE - FIRST_SAMPLE) >> SUBPIXEL_BITS);
+    if (exact + falls * (TILE - 1) + falls_in_pixel >= 0) {
+      pass_all_samples(edges, e);
       continue;
     }
     edges->value[e] = (int)exact;
     edges->step_x[e] = step_x;
     edges->step_y[e] = step_y;
+#if SAMPLES > 1
+    // (value + steps) >> SUBPIXEL_BITS less exact; steps are multiples of SAMPLE_UNIT.
+    const int rest = (int)(value & (SUBPIXELS - 1)) >> SAMPLE_UNIT_BITS;
+    const int16 steps =
+        (SAMPLE_X_OF_LANES - MIN_SAMPLE(SAMPLES)) * step_x + (SAMPLE_Y_OF_LANES - MIN_SAMPLE(SAMPLES)) * step_y;
+    edges->to_sample[e] = (steps + rest) >> (SUBPIXEL_BITS - SAMPLE_UNIT_BITS);
+#endif
     const int16 at = (int)exact + step_x * BLOCK_X + step_y * BLOCK_Y;
-    *misses |= at + (max(0, step_x) + max(0, step_y)) * (TILE_BLOCK - 1) < 0;
-    *covers &= at + (min(0, step_x) + min(0, step_y)) * (TILE_BLOCK - 1) >= 0;
+    *misses |= at + ((int)rises * (TILE_BLOCK - 1) + rises_in_pixel) < 0;
+    *covers &= at + ((int)falls * (TILE_BLOCK - 1) + falls_in_pixel) >= 0;
   }
 }
 
-// Puts the triangle's samples in the rows first..last of 16 columns into the tile's planes: those in front of what is
-// held or, without a depth test, all that it covers. Returns the least depth held there then.
-ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner,
-                                  int column, int first, int last, bool tests_depth) {
-  int16 value[3];
-  FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
-  const uint id = t->id;
-  Depths min_held = NEAREST_DEPTH;
-  for (int y = first; y <= last; y++) {
-    const int at = y * ROW_VECTORS + column / LANES;
-    const Depths depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
-    const uint16 held_id = tile.id[at];
-    int16 wins = ((value[0] | value[1] | value[2]) >= 0) & in_range(t, corner, column, y);
-    if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
-    const Depths kept = select(held, depth, wins);
-    tile.depth[at] = kept;
-    tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
-    min_held = min(min_held, kept);
-    FOR_THREE(e) value[e] += edges->step_y[e];
-  }
-  return min_held;
-}
+#if SAMPLES == 1
+#include "pixel_planes.h"
+#else
+#include "sample_planes.h"
+#endif
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges,
                                   global const LargeTriangle* large, global const LargeTriangle* t, TileBox box,
                                   TileDepth corner, Depth background, bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
-    const int column = column_of(block), row = row_of(block);
-    if (content.lane[block] != PER_PIXEL) write_out_block(tile, column, row, content.lane[block], large, background);
+    const int row = row_of(block);
+    if (content.lane[block] != PER_PIXEL) write_out_block(tile, block, content.lane[block], large, background);
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;
     // Two loops, each without the question.
-    const Depths held = tests_depth ? draw_in_rows(tile, edges, t, corner, column, first, last, true)
-                                    : draw_in_rows(tile, edges, t, corner, column, first, last, false);
+    const Depths held = tests_depth ? draw_in_rows(tile, edges, t, corner, block, first, last, true)
+                                    : draw_in_rows(tile, edges, t, corner, block, first, last, false);
     if (last - first < TILE_BLOCK - 1) continue;  // rows that were left out may hold less
     blocks->min = max(blocks->min, select((Depths)(FARTHEST_DEPTH), (Depths)(min_depth(held)), LANE == block));
   }
@@ -214,12 +159,12 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
               right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
   const int16 top = max(BLOCK_Y, (int16)(box.first_row)),
               bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
-  const DepthBounds depth = depth_bounds(t, corner, left, right, top, bottom);
+  const DepthBounds depth = depths_in_boxes(t, corner, left, right, top, bottom);
   int16 misses = (left > right) | (top > bottom) | (depth.max < blocks->min), covers = is_in_range(t) ? -1 : 0;
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
-    FOR_THREE(e) edges.value[e] = edges.step_x[e] = edges.step_y[e] = 0;
+    FOR_THREE(e) pass_all_samples(&edges, e);
   else
     find_covered_blocks(t, tile, &edges, &misses, &covers);
   const int16 replaces = covers & ~misses & (depth.min > blocks->max);

@@ -53,21 +53,18 @@ static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffU
 
 // Likewise of all sixteen.
 static inline int lowest_of_lanes(ulong2 bytes) { return bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y); }
-static inline ulong2 without_lowest_lane(ulong2 bytes) {
-  if (bytes.x)
-    bytes.x = without_lane(bytes.x, lowest_lane(bytes.x));
-  else
-    bytes.y = without_lane(bytes.y, lowest_lane(bytes.y));
-  return bytes;
-}
-
 static inline int first_lane(int16 mask) { return lowest_of_lanes(mask_bytes(mask)); }
 
+// One bit a lane. The product adds the eight bytes, of which each has a bit of its own, into the upper one.
+static inline uint bits_of_mask(int16 mask) {
+  const ulong2 bits = (mask_bytes(mask) & 0x8040201008040201UL) * 0x0101010101010101UL >> 56;
+  return (uint)bits.x | (uint)bits.y << 8;
+}
+
 // for (lane of the mask, ascending). The inner loop runs once: it gives the lane its name.
-#define FOR_EACH_LANE(lane, mask)                                                      \
-  for (ulong2 lane##_bytes = mask_bytes(mask); (lane##_bytes.x | lane##_bytes.y) != 0; \
-       lane##_bytes = without_lowest_lane(lane##_bytes))                               \
-    for (int lane = lowest_of_lanes(lane##_bytes), lane##_once = 1; lane##_once; lane##_once = 0)
+#define FOR_EACH_LANE(lane, mask)                                                          \
+  for (uint lane##_bits = bits_of_mask(mask); lane##_bits; lane##_bits &= lane##_bits - 1) \
+    for (int lane = 31 - (int)clz(lane##_bits & -lane##_bits), lane##_once = 1; lane##_once; lane##_once = 0)
 
 static inline float reduce_min(float16 v) {
   float8 a = min(v.lo, v.hi);

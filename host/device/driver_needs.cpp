@@ -124,9 +124,14 @@ int startable_threads(int wanted) {
                           started, threads_of_a_job + 1, reason));
 }
 
+void check_stack_limit(std::size_t kernel_bytes) {
+  const rlim_t needed = min_stack_bytes + kernel_bytes;
+  if (const rlim_t stack = limit_of(RLIMIT_STACK); stack < needed)
+    throw limit_too_low("stack limit", "-s", stack, needed);
+}
+
 void check_driver_limits() {
-  if (const rlim_t stack = limit_of(RLIMIT_STACK); stack < min_stack_bytes)
-    throw limit_too_low("stack limit", "-s", stack, min_stack_bytes);
+  check_stack_limit(0);
   if (const rlim_t file = limit_of(RLIMIT_FSIZE); file < driver_file_bytes)
     throw limit_too_low("file size limit", "-f", file, driver_file_bytes);
 }

@@ -22,8 +22,10 @@ void check_driver_variables();
 // there is not even one: a limit of processes (ulimit -u, pids.max) or of memory (ulimit -v).
 int startable_threads(int wanted);
 
-// Error(no_device) when a limit of this process, ulimit -s or -f, is below what PoCL needs.
+// Error(no_device) when a limit of this process, ulimit -s or -f, is below what PoCL needs; or ulimit -s below that and
+// what a kernel keeps in private arrays.
 void check_driver_limits();
+void check_stack_limit(std::size_t kernel_bytes);
 
 // Error(no_device) when PoCL's compiler would find no linker.
 void check_linker();

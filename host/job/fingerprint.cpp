@@ -119,14 +119,17 @@ class SceneHasher {
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
-    const auto& [base_color, shading, double_sided] = material;
+    const auto& [base_color, shading, double_sided, line_width] = material;
     add_all(mesh, node, base_color, shading, double_sided, morph);
+    if (line_width != 1) add_all(std::string_view("line_width"), line_width);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, color, depth, compression, depth_format, background, z_error] = image;
+    const auto& [width, height, color, depth, compression, depth_format, background, samples, z_error] = image;
     add_all(width, height, color, depth, std::string_view(compression), depth_format, background.has_value());
     if (background) add_all(background->top, background->bottom);
-    if (z_error != 0) add_all(std::string_view("z_error"), z_error);  // named: it was not always there
+    // Only what differs from the default, and by name, so that files of earlier versions stay valid.
+    if (samples != 1) add_all(std::string_view("samples"), samples);
+    if (z_error != 0) add_all(std::string_view("z_error"), z_error);
   }
   void add(const Scene& scene) {
     const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,

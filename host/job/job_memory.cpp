@@ -23,7 +23,8 @@ struct JobCosts {
         pixels * ((image.color ? 4 * sizeof(std::uint16_t) : 0) + (image.depth ? sizeof(float) : 0));
     const std::uint64_t file = image.compression == "none" ? frame : frame / 2;
     const std::uint64_t pictures = job.preview || !job.contact_sheet.empty() ? 6 * pixels : 0;  // colours and PNG
-    fixed = drawing.fixed + drawing.per_pixel * pixels;
+    const std::uint64_t samples = image.samples > 1 ? static_cast<std::uint64_t>(image.samples) : 0;
+    fixed = drawing.fixed + (drawing.per_pixel + drawing.per_sample * samples) * pixels;
     buffer = frame;
     writer = file * (job.reuse_equal_frames ? 2 : 1) + (job.verify ? frame : 0) + pictures;
     checker = file + frame + pictures;
@@ -59,7 +60,7 @@ JobLimits job_limits(const RenderJob& job, const ImageSettings& image, const Ren
   const std::uint64_t needed = std::max(costs.of(queue), job.resume ? costs.checker : 0);
   if (needed > room)
     require_memory(needed, fmt::format("a frame of {}x{}", image.width, image.height),
-                   "a smaller size, fewer channels or the compression zip take less");
+                   "a smaller size, fewer channels or samples, or the compression zip take less");
   return limits;
 }
 

@@ -49,9 +49,10 @@ class Renderer {
   // differently (Verdict::tolerant). "" for all others.
   virtual std::string deviation() const { return ""; }
 
-  // Bytes, about, that drawing takes besides the frame and the scene, for each pixel and whatever the size.
+  // Bytes, about, that drawing takes besides the frame and the scene: for each pixel; for each sample where a pixel has
+  // several; and whatever the size.
   struct Memory {
-    std::uint64_t per_pixel = 0, fixed = 0;
+    std::uint64_t per_pixel = 0, fixed = 0, per_sample = 0;
   };
   virtual Memory memory() const { return {}; }
 

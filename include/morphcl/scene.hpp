@@ -2,6 +2,7 @@
 // model.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -40,14 +41,16 @@ std::vector<std::int64_t> frame_numbers(const std::vector<FrameRange>& ranges);
 // ---- scene ----------------------------------------------------------------------------------------------------------
 
 // flat: lit once a face, at its centre. smooth: lit at each pixel, with interpolated normals. Both are diffuse, see
-// Light. unlit: base colour times vertex colours. wireframe: lines one pixel wide in the base colour alone.
+// Light. unlit: base colour times vertex colours. wireframe: lines in the base colour alone.
 enum class Shading { flat, smooth, unlit, wireframe };
 
 struct Material {
   glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear; alpha is not used: what is drawn is opaque
   Shading shading = Shading::smooth;          // smooth on a mesh without normals: each face has its own, lit per pixel
   bool double_sided = false;                  // false: back faces are culled; true: drawn, and lit from their side
+  double line_width = 1;                      // of wireframe, pixels, more than 0 to max_line_width
 };
+constexpr double max_line_width = 256;
 
 struct Object {
   std::string name;
@@ -66,6 +69,9 @@ struct Background {
 };
 constexpr double max_background = 65504;
 
+// Samples a pixel that a picture may have.
+constexpr std::array<int, 5> sample_counts = {1, 2, 4, 8, 16};
+
 struct ImageSettings {
   int width = 1920, height = 1080;                         // pixels, 1 to max_image_size
   bool color = true;                                       // channels R, G, B, A as half
@@ -73,6 +79,7 @@ struct ImageSettings {
   std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
   std::optional<Background> background = std::nullopt;     // with alpha 1; none: colour and alpha are 0 there
+  int samples = 1;  // a pixel, of sample_counts: its colour and alpha are their mean. Z is that of the pixel's centre
   // The relative error of Z that EXR files may have, so that they are smaller (round_depth() in frame.hpp); 0: none.
   // At most max_relative_error (numerics.hpp), and only beside `depth`. Renderers draw Z as it is.
   double z_error = 0;

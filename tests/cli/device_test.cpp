@@ -73,6 +73,22 @@ TEST_F(Device, MeshesOverItsLimitAreRefusedWithBothNumbersOnEveryFrame) {
   EXPECT_EQ(files_ending_in(".exr"), 0u);
 }
 
+#ifndef MORPHCL_SANITIZED  // AddressSanitizer makes frames larger
+// Threads keep the samples of a tile on their stacks.
+TEST_F(Device, AStackTooSmallForTheSamplesIsOneLine) {
+  const std::string tool = MORPHCL_TOOL;
+  const auto with_stack = [&](const char* kilobytes, const char* samples) {
+    return test_support::run_process(
+        {"sh", "-c", "ulimit -s " + std::string(kilobytes) + "; exec \"$0\" \"$@\"", tool, "render", path("shot.toml"),
+         "--frames", "0", "--device", "0", "--samples", samples},
+        with_cache());
+  };
+  expect_one_line_error(with_stack("320", "16"), no_device, "ulimit -s");
+  EXPECT_EQ(with_stack("320", "4").code, 0);
+  EXPECT_EQ(with_stack("640", "16").code, 0);
+}
+#endif
+
 TEST_F(Device, TheListHasAVerdictForEach) {
   const ToolResult result = run_tool({"devices", "--json"}, with_cache());
   EXPECT_EQ(result.code, 0) << result.err;

@@ -44,6 +44,10 @@ TEST_F(Usage, ThreadsAbsurd) { expect_usage_error({"--threads", "100000"}, "1024
 TEST_F(Usage, UnknownCompression) {
   expect_usage_error({"--compression", "lzma"}, "known: none, rle, zips, zip, zip:small, piz, ");
 }
+TEST_F(Usage, SamplesThatAreNoPattern) {
+  for (const char* samples : {"3", "0", "32", "-4", "4x", ""})
+    expect_usage_error({"--samples", samples}, "1, 2, 4, 8 or 16");
+}
 TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "stencil"}, "fixed24"); }
 TEST_F(Usage, ZErrorZero) { expect_usage_error({"--z-error", "0"}, "--z-error: '0' is no relative error of Z"); }
 TEST_F(Usage, ZErrorNegative) { expect_usage_error({"--z-error=-1e-6"}, "above 0 and of at most 0.1, such as 1e-6"); }

@@ -62,6 +62,17 @@ TEST(DriverNeeds, LimitsOfTheProcess) {
             }),
             69);
   EXPECT_EQ(exit_code_of([] {
+              limit(RLIMIT_STACK, 256 << 10);
+              check_driver_limits();
+              check_stack_limit(128 << 10);
+            }),
+            0);
+  EXPECT_EQ(exit_code_of([] {
+              limit(RLIMIT_STACK, 256 << 10);
+              check_stack_limit(129 << 10);
+            }),
+            69);
+  EXPECT_EQ(exit_code_of([] {
               limit(RLIMIT_FSIZE, 16 << 10);
               check_driver_limits();
             }),

@@ -278,6 +278,23 @@ TEST(FrameKernels, AreThoseThatTheDeviceStarts) {
   }
 }
 
+TEST(FrameKernels, OfSeveralSamplesAreThoseThatTheDeviceStarts) {
+  for (const TestScene& test : test_scenes(auto_width, auto_height, 3000))
+    for (const bool depth : {false, true}) {
+      SCOPED_TRACE(test.name);
+      Scene scene = test.scene;
+      scene.image.samples = 4;
+      scene.image.depth = depth;
+      FrameKernels started;
+      const auto device =
+          make_device_renderer(shared_session(), [&started](const FrameKernel& kernel) { started.insert(kernel); });
+      const Plan plan = plan_frame(scene, test.frames.front());
+      FrameBuffer frame = plan.make_frame();
+      device->render(plan, frame);
+      EXPECT_EQ(frame_kernels(*plan), started);
+    }
+}
+
 TEST(FrameKernels, SamplesStartThoseThatAreWantedAndNoOthers) {
   std::set<FrameKernels> choices;
   for (const TestScene& scene : test_scenes(auto_width, auto_height, 3000))
@@ -285,7 +302,14 @@ TEST(FrameKernels, SamplesStartThoseThatAreWantedAndNoOthers) {
   FramePlan fixed;
   fixed.depth_format = DepthFormat::fixed24;
   choices.insert(frame_kernels(fixed));
-  EXPECT_GE(choices.size(), 4u);
+  for (const TestScene& scene : test_scenes(auto_width, auto_height, 3000))
+    for (const bool depth : {false, true}) {
+      Scene several = scene.scene;
+      several.image.samples = 4;
+      several.image.depth = depth;
+      choices.insert(frame_kernels(*plan_frame(several, scene.frames.front())));
+    }
+  EXPECT_GE(choices.size(), 10u);
   for (const FrameKernels& wanted : choices) {
     FrameKernels started;
     const auto device =

@@ -1,7 +1,7 @@
-// frame_hashes WIDTH HEIGHT [reference] [small] [FORMAT]: one line a frame of every test scene, "hash SCENE/FRAME",
-// drawn by a process of its own under the environment that a test gives it. FORMAT: the name of a depth buffer;
-// vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a device that is
-// interpreted. An Error is printed and its exit code is the process's.
+// frame_hashes WIDTH HEIGHT [reference] [small] [samplesN] [FORMAT]: one line a frame of every test scene, "hash
+// SCENE/FRAME", drawn by a process of its own under the environment that a test gives it. FORMAT: the name of a depth
+// buffer; vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a device that is
+// interpreted. samplesN: N samples a pixel. An Error is printed and its exit code is the process's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,10 +23,14 @@ int main(int count, char** values) {
     const std::vector<std::string> more(values + 3, values + count);
     const bool reference = std::find(more.begin(), more.end(), "reference") != more.end();
     const bool small = std::find(more.begin(), more.end(), "small") != more.end();
+    int samples = 1;
+    for (const int known : sample_counts)
+      if (std::find(more.begin(), more.end(), fmt::format("samples{}", known)) != more.end()) samples = known;
     const auto format = more.empty() ? std::nullopt : depth_format_named(more.back());
     const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
     const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
     for (test::TestScene& scene : test::test_scenes(width, height, small ? 300 : 3000)) {
+      scene.scene.image.samples = samples;
       if (format) {
         scene.scene.image.depth_format = *format;
         scene.scene.accuracy_pixels = 1e-9;

@@ -42,6 +42,8 @@ const std::vector<Change> changes_of_pixels{
     {"height", [](FramePlan& p) { ++p.height; }},
     {"color", [](FramePlan& p) { p.color = false; }},
     {"depth", [](FramePlan& p) { p.depth = false; }},
+    {"samples", [](FramePlan& p) { p.samples = 4; }},
+    {"line width", [](FramePlan& p) { p.draws[0].line_width = 512; }},
     {"parallel", [](FramePlan& p) { p.camera.parallel = true; }},
     {"near plane", [](FramePlan& p) { p.camera.near_plane[2] = 1; }},
     {"near_w", [](FramePlan& p) { p.camera.near_w = 2; }},

@@ -196,6 +196,32 @@ TEST(PlanReport, NamesTheRoundingOfDepthWithItsReason) {
   EXPECT_EQ(find_note(exact, "rounding of Z")->reason, "z_error is 1e-08: all 23 mantissa bits are needed");
 }
 
+TEST(PlanReport, SaysWhySeveralSamplesAreDrawnOrNot) {
+  Scene scene = there_and_back();
+  const PlanReport one = report_of(scene, 0);
+  EXPECT_FALSE(find_note(one, "samples")->done);
+  EXPECT_EQ(find_note(one, "pixel centres"), nullptr);
+  scene.image.samples = 4;
+  const PlanReport four = report_of(scene, 0);
+  EXPECT_TRUE(find_note(four, "samples")->done);
+  EXPECT_EQ(find_note(four, "samples")->reason, "4 a pixel are asked for: colour and alpha are their mean");
+  EXPECT_GT(find_note(four, "samples")->milliseconds, 0);
+  EXPECT_TRUE(find_note(four, "pixel centres")->done);
+  EXPECT_GT(find_note(four, "pixel centres")->milliseconds, 0);
+  EXPECT_GT(four.milliseconds, one.milliseconds);
+  EXPECT_GT(four.memory.bins, one.memory.bins);
+  scene.image.depth = false;
+  const PlanReport colors = report_of(scene, 0);
+  EXPECT_FALSE(find_note(colors, "pixel centres")->done);
+  EXPECT_LT(colors.milliseconds, four.milliseconds);
+  EXPECT_LT(colors.memory.bins, four.memory.bins);
+  scene.image.depth = true;
+  scene.image.color = false;
+  const PlanReport distances = report_of(scene, 0);
+  EXPECT_FALSE(find_note(distances, "samples")->done);
+  EXPECT_EQ(find_note(distances, "samples")->reason, "4 a pixel are asked for, but no colour");
+}
+
 TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {
   SceneBuilder b(64, 48);
   b.add(make_sphere({512, 256}), Shading::smooth);

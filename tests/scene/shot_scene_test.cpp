@@ -19,7 +19,7 @@ ambient = [0.1, 0.2, 0.3]
 [image]
 size = [320, 180]
 channels = ["Z"]
-samples = 1
+samples = 8
 compression = "piz"
 depth_buffer = "fixed24"
 z_error = 1e-6
@@ -53,6 +53,7 @@ double_sided = true
 [[object]]
 mesh = "cube"
 shading = "wireframe"
+line_width = 2.5
 )";
 
 TEST(Shot, ReadsImageFramesAndAmbient) {
@@ -65,6 +66,7 @@ TEST(Shot, ReadsImageFramesAndAmbient) {
   EXPECT_EQ(scene.image.compression, "piz");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::fixed24);
   EXPECT_EQ(scene.image.z_error, 1e-6);
+  EXPECT_EQ(scene.image.samples, 8);
   EXPECT_EQ(scene.accuracy_pixels, 0.01);
   EXPECT_EQ(frame_numbers(scene.frames).size(), 12u);
   EXPECT_EQ(scene.timeline.time.fps_numerator, 30000);
@@ -108,6 +110,8 @@ TEST(Shot, ReadsObjects) {
   EXPECT_EQ(cube.material.shading, Shading::wireframe);
   EXPECT_EQ(cube.material.base_color, glm::dvec4(0.8, 0.8, 0.8, 1));
   EXPECT_FALSE(cube.material.double_sided);
+  EXPECT_EQ(cube.material.line_width, 2.5);
+  EXPECT_EQ(ball.material.line_width, 1);
   EXPECT_EQ(scene.meshes[cube.mesh].positions.size(), 24u);
 }
 
@@ -118,6 +122,7 @@ TEST(Shot, HasTheDocumentedDefaults) {
   EXPECT_TRUE(scene.image.color && scene.image.depth);
   EXPECT_EQ(scene.image.compression, "zip");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::reversed_float);
+  EXPECT_EQ(scene.image.samples, 1);
   EXPECT_EQ(scene.accuracy_pixels, 0);
   EXPECT_EQ(frame_numbers(scene.frames), std::vector<std::int64_t>{0});
   EXPECT_EQ(scene.timeline.time.fps_numerator, 25);

@@ -13,7 +13,7 @@ constexpr double device_is_faster = 15;
 
 double estimated_reference_seconds(const FramePlan& plan, int threads) {
   // Vertices are for one thread, and each thread looks at every triangle.
-  double alone = 0, shared = each_pixel * plan.width * plan.height;
+  double alone = 0, shared = each_pixel * plan.samples * plan.width * plan.height;
   for (const Draw& draw : plan.draws) {
     const auto vertices = static_cast<double>(draw.mesh->positions.size());
     alone += vertices * (each_vertex + each_target_vertex * static_cast<double>(draw.targets.size()));

@@ -37,9 +37,17 @@ struct KernelCost {
 // PoCL 3.1 on a core of an AVX-512 server processor: differences between processes that compile them and others. Of
 // what compiling takes for a whole program each has a part.
 constexpr KernelCost kernel_costs[] = {
-    {"project_light_and_bin", 0.6, 0.5}, {"project_vertices", 0.35, 0.3},         {"count_clipped", 0.15, 0.1},
-    {"clip_primitives", 0.25, 0.2},      {"light_and_bin_primitives", 0.45, 0.4}, {"bin_primitives", 0.4, 0.35},
+    {"project_light_and_bin", 0.6, 0.5},
+    {"project_vertices", 0.35, 0.3},
+    {"count_clipped", 0.15, 0.1},
+    {"clip_primitives", 0.25, 0.2},
+    {"light_and_bin_primitives", 0.45, 0.4},
+    {"bin_primitives", 0.4, 0.35},
     {"shade_tiles", 0.9, 0.8},
+    {"project_light_and_bin_samples", 0.7, 0.6},
+    {"light_and_bin_samples", 0.5, 0.45},
+    {"bin_samples", 0.45, 0.4},
+    {"shade_samples", 1.5, 1.2},
 };
 constexpr KernelCost unknown_kernel = {"", 0.5, 0.4};
 
@@ -57,12 +65,21 @@ Mesh degenerate_mesh(std::size_t triangles) {
   return mesh;
 }
 
-FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, DepthFormat depth_format) {
+// What kernels are compiled for, and which passes they belong to.
+struct KernelVariant {
+  DepthFormat depth_format;
+  int samples;
+  bool depth;
+};
+
+FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const KernelVariant& variant) {
   FramePlan plan;
   plan.alone = true;
   plan.width = plan.height = layout::tile;
   plan.clips = clips;
-  plan.depth_format = depth_format;
+  plan.depth_format = variant.depth_format;
+  plan.samples = variant.samples;
+  plan.depth = variant.depth;
   plan.keeps_vertices = plan.keeps_blank_tiles = false;
   plan.camera.near = plan.camera.near_depth = plan.camera.near_w = 1;
   Draw draw{};
@@ -73,30 +90,51 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, DepthFormat
   return plan;
 }
 
-DepthFormat depth_format_of(const FrameKernels& kernels) {
-  for (const DepthFormat format : depth_formats)
-    for (const FrameKernel& kernel : kernels)
-      if (format != DepthFormat::reversed_float && kernel.options == depth_options(format)) return format;
-  return DepthFormat::reversed_float;
+KernelVariant variant_of(const FrameKernels& kernels) {
+  KernelVariant variant{DepthFormat::reversed_float, 1, false};
+  for (const FrameKernel& kernel : kernels)
+    for (const DepthFormat format : depth_formats)
+      for (const int samples : sample_counts) {
+        if (kernel.options != kernel_options(format, samples)) continue;
+        variant.depth_format = format;
+        variant.samples = std::max(variant.samples, samples);
+      }
+  variant.depth = variant.samples == 1 || std::any_of(kernels.begin(), kernels.end(), [](const FrameKernel& kernel) {
+                    return kernel.name == "shade_tiles" || kernel.name == "bin_primitives";
+                  });
+  return variant;
 }
 
 }  // namespace
 
 FrameKernels frame_kernels(const FramePlan& plan) {
-  const std::string options = depth_options(plan.depth_format);
-  FrameKernels kernels = {{"shade_tiles", "shade_tiles", options}};
-  if (!plan.clips && is_one_chunk(plan)) {
-    kernels.insert({"bin_primitives", "project_light_and_bin", options});
-    return kernels;
+  const std::string options = kernel_options(plan.depth_format, 1),
+                    sampled = kernel_options(plan.depth_format, plan.samples);
+  const bool several = plan.samples > 1, fused = !plan.clips && is_one_chunk(plan);
+  const bool faces =
+      std::any_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) { return draw.shading == Shading::flat; });
+  FrameKernels kernels;
+  if (several) {
+    kernels.insert({"shade_samples", "shade_samples", sampled});
+    kernels.insert({"bin_samples",
+                    fused   ? "project_light_and_bin_samples"
+                    : faces ? "light_and_bin_samples"
+                            : "bin_samples",
+                    sampled});
+    if (plan.depth) kernels.insert({"bin_primitives", "bin_primitives", options});
+  } else {
+    kernels.insert({"bin_primitives",
+                    fused   ? "project_light_and_bin"
+                    : faces ? "light_and_bin_primitives"
+                            : "bin_primitives",
+                    options});
   }
-  kernels.insert({"project_vertices", "project_vertices", options});
+  if (!several || plan.depth) kernels.insert({"shade_tiles", "shade_tiles", options});
+  if (!fused) kernels.insert({"project_vertices", "project_vertices", options});
   if (plan.clips) {
     kernels.insert({"clip_primitives", "count_clipped", options});
     kernels.insert({"clip_primitives", "clip_primitives", options});
   }
-  const bool faces =
-      std::any_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) { return draw.shading == Shading::flat; });
-  kernels.insert({"bin_primitives", faces ? "light_and_bin_primitives" : "bin_primitives", options});
   return kernels;
 }
 
@@ -118,16 +156,18 @@ KernelSamples::KernelSamples(const FrameKernels& kernels)
   const auto wanted = [&kernels](std::string_view name) {
     return std::any_of(kernels.begin(), kernels.end(), [name](const FrameKernel& k) { return k.name == name; });
   };
-  const DepthFormat format = depth_format_of(kernels);
+  const KernelVariant variant = variant_of(kernels);
+  const std::string_view fused = variant.samples > 1 ? "project_light_and_bin_samples" : "project_light_and_bin",
+                         with_faces = variant.samples > 1 ? "light_and_bin_samples" : "light_and_bin_primitives",
+                         plain = variant.samples > 1 ? "bin_samples" : "bin_primitives";
   const bool clips = wanted("count_clipped") || wanted("clip_primitives");
   const Mesh& in_stages = clips ? one_chunk_ : many_chunks_;
-  const bool stages = clips || wanted("project_vertices"), faces = wanted("light_and_bin_primitives");
-  if (wanted("project_light_and_bin")) plans_.push_back(sample_plan(one_chunk_, Shading::flat, false, format));
-  if (faces) plans_.push_back(sample_plan(in_stages, Shading::flat, clips, format));
-  // Where faces are as they were, bin_primitives comes with the others as well.
-  if (wanted("bin_primitives") || (stages && !faces))
-    plans_.push_back(sample_plan(in_stages, Shading::unlit, clips, format));
-  if (plans_.empty() && !kernels.empty()) plans_.push_back(sample_plan(one_chunk_, Shading::flat, clips, format));
+  const bool stages = clips || wanted("project_vertices"), faces = wanted(with_faces);
+  if (wanted(fused)) plans_.push_back(sample_plan(one_chunk_, Shading::flat, false, variant));
+  if (faces) plans_.push_back(sample_plan(in_stages, Shading::flat, clips, variant));
+  // Where faces are as they were, the plain one comes with the others as well.
+  if (wanted(plain) || (stages && !faces)) plans_.push_back(sample_plan(in_stages, Shading::unlit, clips, variant));
+  if (plans_.empty() && !kernels.empty()) plans_.push_back(sample_plan(one_chunk_, Shading::flat, clips, variant));
 }
 
 }  // namespace morphcl

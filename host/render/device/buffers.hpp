@@ -21,6 +21,7 @@ using FaceColors = Argument<layout::Int4, "face_colors", "int4">;
 
 using Clipped = Argument<layout::ClippedPrimitive, "clipped", "ClippedPrimitive">;
 using FragmentKeys = Argument<layout::ulong, "fragment_keys", "ulong">;
+using SampleFragments = Argument<layout::SampleFragment, "sample_fragments", "SampleFragment">;
 using Bins = Argument<layout::BinsHeader, "bins", "BinsHeader">;
 using Large = Argument<layout::LargeTriangle, "large", "LargeTriangle">;
 

@@ -6,8 +6,10 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "host/device/driver_needs.hpp"
 #include "host/device/launch.hpp"
 #include "host/device/session_access.hpp"
 #include "host/render/device/buffers.hpp"
@@ -25,6 +27,9 @@ namespace {
 using layout::uint;
 
 constexpr std::size_t no_band_limit = std::numeric_limits<std::size_t>::max();
+
+// Of the private memory of shade_samples: depth and id of each sample of a tile.
+constexpr std::size_t tile_bytes_of_sample = std::size_t{layout::tile} * layout::tile * 2 * sizeof(uint);
 
 class DeviceRenderer : public Renderer {
  public:
@@ -48,33 +53,80 @@ class DeviceRenderer : public Renderer {
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     depth_format_ = plan.depth_format;
+    if (plan.samples > 1) check_stack_limit(tile_bytes_of_sample * static_cast<std::size_t>(plan.samples));
     const DevicePicture picture = pictures_.picture(frame);
     FinishAtExit finish_before_tables_go(queue());
     memory_.start(plan, picture);
     layout::FrameConstants constants = memory_.tables().frame;
     constants.keeps_blank_tiles &= picture.memory.notes_hold ? 1u : 0u;
     constants.first_clip_vertex = constants.vertex_group_count * layout::lanes;
-    for (bool drawn = false, first = true; !drawn; first = false) {
-      const bool stays = make_room(constants);
-      const FrameMemory::Changes changes = first || !stays ? memory_.changes() : FrameMemory::Changes{};
-      memory_.forget(FrameMemory::Lost::vertices);  // until the frame is drawn
-      upload_frame(constants, changes.vertex_chunks);
-      prepare(constants, changes);
-      shade(picture);
-      drawn = finish(constants, picture);
+    if (plan.samples == 1) {
+      draw_pass(1, constants, picture, pools_, true);
+    } else {
+      // Distances are those of the pixels' centres: as of one sample a pixel, without colours.
+      layout::FrameConstants colors = constants, distances = constants;
+      colors.writes_depth = distances.writes_color = 0;
+      colors.first_of_two = distances.second_of_two = plan.depth;
+      ForgetNotes notes(frame);  // until both have drawn
+      draw_pass(plan.samples, colors, picture, sample_pools_, true);
+      if (plan.depth) draw_pass(1, distances, picture, pools_, false);
+      notes.hold();
     }
     finish_before_tables_go.not_needed();
     memory_.drawn();
   }
 
+  // Draws until the bins have had room for all. The vertices of an earlier pass of the frame stay.
+  void draw_pass(int samples, layout::FrameConstants& constants, const DevicePicture& picture, BinPools& pools,
+                 bool first_pass) {
+    samples_ = samples;
+    for (bool drawn = false, first = first_pass; !drawn; first = false) {
+      const bool stays = make_room(pools, constants);
+      const FrameMemory::Changes changes = first || !stays ? memory_.changes() : FrameMemory::Changes{};
+      memory_.forget(FrameMemory::Lost::vertices);  // until the frame is drawn
+      upload_frame(constants, changes.vertex_chunks);
+      prepare(constants, changes);
+      shade(picture);
+      drawn = finish(constants, picture, pools);
+    }
+  }
+
+  // Between two passes the notes of a frame are of neither.
+  class ForgetNotes {
+   public:
+    explicit ForgetNotes(FrameBuffer& frame) : frame_(&frame) {}
+    void hold() { frame_ = nullptr; }
+    ~ForgetNotes() {
+      if (frame_) frame_->data();
+    }
+    ForgetNotes(const ForgetNotes&) = delete;
+    ForgetNotes& operator=(const ForgetNotes&) = delete;
+
+   private:
+    FrameBuffer* frame_;
+  };
+
   const cl::CommandQueue& queue() const { return queue_of(*session_); }
 
-  const Kernel& kernel(const char* stage, const char* name) {
-    Kernel& found = kernels_[{depth_format_, name}];
+  struct KernelName {
+    const char *stage, *name;
+  };
+
+  const Kernel& kernel(KernelName of, int samples) {
+    Kernel& found = kernels_[{depth_format_, samples, of.name}];
     if (found) return found;
-    const FrameKernel wanted{stage, name, depth_options(depth_format_)};
+    const FrameKernel wanted{of.stage, of.name, kernel_options(depth_format_, samples)};
     if (before_first_) before_first_(wanted);
-    return found = kernel_of(*session_, kernel_source(stage), name, wanted.options);
+    return found = kernel_of(*session_, kernel_source(of.stage), of.name, wanted.options);
+  }
+
+  // Calls start(kernel, fragments) with the kernel and the fragments of one sample a pixel, or of several.
+  template <class Start>
+  void with_fragments(KernelName of_one, KernelName of_several, const Start& start) {
+    if (samples_ == 1)
+      start(kernel(of_one, 1), fragment_keys_);
+    else
+      start(kernel(of_several, samples_), sample_fragments_);
   }
 
   // Everything up to the pixels is queued without waiting: what is uploaded must stay until the queue has finished.
@@ -99,8 +151,8 @@ class DeviceRenderer : public Renderer {
   };
 
   // False when vertices and what belongs to them had to move, and are lost.
-  bool make_room(layout::FrameConstants& constants) {
-    const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools_, constants);
+  bool make_room(BinPools& pools, layout::FrameConstants& constants) {
+    const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools, constants);
     const FrameTables& tables = memory_.tables();
     const std::size_t records = constants.first_clip_vertex;
     const std::size_t faces = std::size_t{constants.primitive_group_count} * layout::lanes;
@@ -111,7 +163,10 @@ class DeviceRenderer : public Renderer {
     ensure_kept(colors_, tables.any_colors ? records : 1);
     ensure_kept(face_colors_, tables.any_flat ? faces : 1);
     clipped_.ensure_bytes(sizes.clipped);
-    fragment_keys_.ensure_bytes(sizes.fragment_keys);
+    if (samples_ == 1)
+      fragment_keys_.ensure_bytes(sizes.fragment_keys);
+    else
+      sample_fragments_.ensure_bytes(sizes.sample_fragments);
     large_.ensure_bytes(sizes.large);
     // They hold which chunks of vertices need clipping.
     if (bins_.ensure_bytes(sizes.bins)) {
@@ -155,37 +210,52 @@ class DeviceRenderer : public Renderer {
     const auto& frame = frame_.buffer();
     if (changes.vertex_chunks.size() == 1 && vertex_chunk_count(constants) == 1 && constants.chunk_count == 1 &&
         !constants.clips) {
-      launch(queue(), kernel("bin_primitives", "project_light_and_bin"), one, one, frame, draws, targets, mesh_data,
-             indices, vertices_, attributes_, colors_, face_colors_, fragment_keys_, bins_, large_);
+      with_fragments({"bin_primitives", "project_light_and_bin"}, {"bin_samples", "project_light_and_bin_samples"},
+                     [&](const Kernel& all, const auto& fragments) {
+                       launch(queue(), all, one, one, frame, draws, targets, mesh_data, indices, vertices_, attributes_,
+                              colors_, face_colors_, fragments, bins_, large_);
+                     });
       return;
     }
-    launch(queue(), kernel("project_vertices", "project_vertices"), cl::NDRange(changes.vertex_chunks.size()), one,
-           frame, draws, targets, mesh_data, vertices_, attributes_, colors_, bins_);
+    // A second pass finds the vertices of the first.
+    if (!constants.second_of_two || !changes.vertex_chunks.empty())
+      launch(queue(), kernel({"project_vertices", "project_vertices"}, 1), cl::NDRange(changes.vertex_chunks.size()),
+             one, frame, draws, targets, mesh_data, vertices_, attributes_, colors_, bins_);
     if (constants.clips) {
-      launch(queue(), kernel("clip_primitives", "count_clipped"), chunks, one, frame, draws, indices, vertices_, bins_);
-      launch(queue(), kernel("clip_primitives", "clip_primitives"), chunks, one, frame, draws, targets, mesh_data,
+      launch(queue(), kernel({"clip_primitives", "count_clipped"}, 1), chunks, one, frame, draws, indices, vertices_,
+             bins_);
+      launch(queue(), kernel({"clip_primitives", "clip_primitives"}, 1), chunks, one, frame, draws, targets, mesh_data,
              indices, vertices_, clipped_, bins_);
     }
     if (changes.faces)
-      launch(queue(), kernel("bin_primitives", "light_and_bin_primitives"), chunks, one, frame, draws, indices,
-             vertices_, attributes_, face_colors_, clipped_, fragment_keys_, bins_, large_);
+      with_fragments({"bin_primitives", "light_and_bin_primitives"}, {"bin_samples", "light_and_bin_samples"},
+                     [&](const Kernel& bin, const auto& fragments) {
+                       launch(queue(), bin, chunks, one, frame, draws, indices, vertices_, attributes_, face_colors_,
+                              clipped_, fragments, bins_, large_);
+                     });
     else
-      launch(queue(), kernel("bin_primitives", "bin_primitives"), chunks, one, frame, draws, indices, vertices_,
-             clipped_, fragment_keys_, bins_, large_);
+      with_fragments({"bin_primitives", "bin_primitives"}, {"bin_samples", "bin_samples"},
+                     [&](const Kernel& bin, const auto& fragments) {
+                       launch(queue(), bin, chunks, one, frame, draws, indices, vertices_, clipped_, fragments, bins_,
+                              large_);
+                     });
   }
 
   // From the bins to the pixels.
   void shade(const DevicePicture& picture) {
     for (const DevicePicture::Band& band : picture.bands)
-      launch(queue(), kernel("shade_tiles", "shade_tiles"), FirstItem{band.first_tile}, cl::NDRange(band.tiles),
-             cl::NDRange(1), frame_.buffer(), memory_.draws().buffer(), memory_.meshes().indices(), vertices_,
-             attributes_, colors_, face_colors_, clipped_, fragment_keys_, bins_, large_,
-             BufferAs<buffers::Picture>(band.rows));
+      with_fragments({"shade_tiles", "shade_tiles"}, {"shade_samples", "shade_samples"},
+                     [&](const Kernel& pixels, const auto& fragments) {
+                       launch(queue(), pixels, FirstItem{band.first_tile}, cl::NDRange(band.tiles), cl::NDRange(1),
+                              frame_.buffer(), memory_.draws().buffer(), memory_.meshes().indices(), vertices_,
+                              attributes_, colors_, face_colors_, clipped_, fragments, bins_, large_,
+                              BufferAs<buffers::Picture>(band.rows));
+                     });
   }
 
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
   // drawn again.
-  bool finish(const layout::FrameConstants& constants, const DevicePicture& picture) {
+  bool finish(const layout::FrameConstants& constants, const DevicePicture& picture, BinPools& pools) {
     checked("waiting for the frame",
             [&] { queue().enqueueReadBuffer(bins_.buffer(), CL_FALSE, 0, sizeof overflow_, &overflow_); });
     DevicePictures::bring_to_host(queue(), picture);
@@ -198,19 +268,20 @@ class DeviceRenderer : public Renderer {
     });
     uint clipped = 0;
     for (const layout::ChunkStatus& chunk : statuses_) {
-      pools_.grow_to(chunk);
+      pools.grow_to(chunk);
       clipped += chunk.clipped;
     }
-    if (constants.clips) pools_.grow_to_clipped(clipped);
+    if (constants.clips) pools.grow_to_clipped(clipped);
     return false;
   }
 
   std::shared_ptr<Session> session_;
   BeforeFirstUse before_first_;
   FrameMemory memory_;
-  BinPools pools_;
+  BinPools pools_, sample_pools_;                           // of one sample a pixel, of several
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
-  std::map<std::pair<DepthFormat, std::string>, Kernel> kernels_;
+  int samples_ = 1;                                         // of its pass being drawn
+  std::map<std::tuple<DepthFormat, int, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
   TableBuffer<buffers::Frame, 5> frame_{context_of(*session_)};
   DeviceBuffer<buffers::Vertices> vertices_{context_of(*session_)};
@@ -219,6 +290,7 @@ class DeviceRenderer : public Renderer {
   DeviceBuffer<buffers::FaceColors> face_colors_{context_of(*session_)};
   DeviceBuffer<buffers::Clipped> clipped_{context_of(*session_)};
   DeviceBuffer<buffers::FragmentKeys> fragment_keys_{context_of(*session_)};
+  DeviceBuffer<buffers::SampleFragments> sample_fragments_{context_of(*session_)};
   DeviceBuffer<buffers::Large> large_{context_of(*session_)};
   DeviceBuffer<buffers::Bins> bins_{context_of(*session_)};
   bool bins_are_clear_ = false;    // their overflow flag is 0
@@ -228,9 +300,13 @@ class DeviceRenderer : public Renderer {
 
 }  // namespace
 
-// Kernels are compiled for one depth buffer; those for the default one know nothing of the others.
-std::string depth_options(DepthFormat format) {
-  return format == DepthFormat::reversed_float ? "" : fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
+// Kernels are compiled for one depth buffer and one pattern of samples; those for the defaults know nothing of the
+// others.
+std::string kernel_options(DepthFormat format, int samples) {
+  std::string options;
+  if (format != DepthFormat::reversed_float) options += fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
+  if (samples != 1) options += fmt::format(" -DSAMPLES={}", samples);
+  return options;
 }
 
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, std::size_t max_band) {

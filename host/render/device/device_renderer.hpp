@@ -27,7 +27,7 @@ struct FrameKernel {
 using BeforeFirstUse = std::function<void(const FrameKernel&)>;
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, BeforeFirstUse before_first);
 
-// The options of kernels for a depth buffer.
-std::string depth_options(DepthFormat format);
+// The options of kernels for a depth buffer and so many samples a pixel.
+std::string kernel_options(DepthFormat format, int samples);
 
 }  // namespace morphcl

@@ -72,6 +72,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   constants.first_target = static_cast<uint>(tables.targets.size());
   constants.target_count = static_cast<uint>(draw.targets.size());
   constants.precise = static_cast<uint>(tables.precise.size());
+  constants.line_width = draw.line_width;
   return constants;
 }
 

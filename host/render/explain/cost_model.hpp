@@ -28,6 +28,7 @@ struct CostModel {
   double span = 6.0, smooth_span = 9.0;             // a triangle in a row of pixels; the same, smoothly lit
   double tinted_pixel = 0.30;                       // vertex colours: a pixel
   double byte = 0.02;                               // of a pixel written
+  double sample_span = 2.0, sample_triangle = 0.5;  // the same as span and triangle, for a sample of several
 };
 
 // Milliseconds of this frame.
@@ -39,6 +40,8 @@ struct FrameCosts {
   double lights, normals, face_light, colors, lines;
   double clipping, divide, depth_test, depth_format, precise_vertices;
   double vertices;      // everything that a frame with the same vertices need not do again
+  double samples;       // what several samples a pixel take more than one
+  double centres;       // beside them: to find what is at the pixels' centres
   double blank_pixels;  // written where nothing is
   double everything;    // the frame, with what is done in it
 };

@@ -58,6 +58,7 @@ class Notes {
 
   std::vector<PlanNote> take() {
     channels();
+    samples();
     objects();
     targets();
     elastic();
@@ -101,6 +102,20 @@ class Notes {
            0);
     else
       note("rounding of Z", false, fmt::format("z_error is {}: all {} mantissa bits are needed", error, bits), 0);
+  }
+
+  void samples() {
+    const int asked_for = scene_.image.samples;
+    note("samples", plan_.samples > 1,
+         asked_for == 1      ? "one a pixel is asked for: its centre"
+         : plan_.samples > 1 ? fmt::format("{} a pixel are asked for: colour and alpha are their mean", asked_for)
+                             : fmt::format("{} a pixel are asked for, but no colour", asked_for),
+         costs_.samples);
+    if (plan_.samples > 1)
+      note("pixel centres", plan_.depth,
+           plan_.depth ? "Z is that of the centre, which is no sample: one more pass"
+                       : "no channel is asked for that shows what is at the centre",
+           costs_.centres);
   }
 
   void objects() {

@@ -83,7 +83,8 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   constants.clips = plan.clips;
   BinPools pools;
   const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
-  add(need.bins, sizes.fragment_keys, "fragments of small triangles");
+  if (plan.samples > 1) add(need.bins, sizes.sample_fragments, "samples of small triangles");
+  if (plan.samples == 1 || plan.depth) add(need.bins, sizes.fragment_keys, "fragments of small triangles");
   add(need.bins, sizes.large, "large triangles");
   // Neither these nor the picture is a buffer that may be too large: where they do not fit, a device gets the lists of
   // fewer chunks, and the picture in as many pieces as it wants.

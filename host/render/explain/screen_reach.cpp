@@ -24,6 +24,8 @@ glm::dvec3 to_point(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; 
 Rectangle rectangle_of(const Box& box, const Draw& draw, const FramePlan& plan) {
   const double width = plan.width, height = plan.height;
   Rectangle found{width, 0, height, 0};
+  // Samples, and what a line covers beside it.
+  const double around = 1 + (draw.shading == Shading::wireframe ? 0.75 / layout::subpixels * draw.line_width : 0);
   const glm::dvec3 pivot = draw.accuracy ? to_point(draw.accuracy->pivot) : glm::dvec3(0.0);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p = box.corner(corner) - pivot;
@@ -32,8 +34,8 @@ Rectangle rectangle_of(const Box& box, const Draw& draw, const FramePlan& plan) 
     const double x = (row_times_point(draw.object_to_clip[0], p) / w + 1) * 0.5 * width;
     const double y = (1 - row_times_point(draw.object_to_clip[1], p) / w) * 0.5 * height;
     if (!std::isfinite(x) || !std::isfinite(y)) return {0, width, 0, height};
-    found = {std::min(found.left, x - 1), std::max(found.right, x + 1), std::min(found.top, y - 1),
-             std::max(found.bottom, y + 1)};
+    found = {std::min(found.left, x - around), std::max(found.right, x + around), std::min(found.top, y - around),
+             std::max(found.bottom, y + around)};
   }
   return found;
 }

@@ -63,6 +63,7 @@ BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants) {
   bins.entry_triangles = offsets.take(entry_pages * layout::page * sizeof(uint));
   bins.fragment_places = offsets.take(fragment_pages * layout::page * sizeof(std::uint16_t));
   return {offsets.end(), fragment_pages * layout::page * sizeof(layout::ulong),
+          fragment_pages * layout::page * sizeof(layout::SampleFragment),
           chunks * pools.large * sizeof(layout::LargeTriangle),
           constants.clip_capacity * sizeof(layout::ClippedPrimitive)};
 }

@@ -19,9 +19,9 @@ struct BinPools {
 // Chunks of vertex groups; those of the last one may be fewer.
 layout::uint vertex_chunk_count(const layout::FrameConstants& constants);
 
-// Bytes of the buffers.
+// Bytes of the buffers. Fragments are keys, or, of several samples a pixel, sample fragments.
 struct BinSizes {
-  std::size_t bins, fragment_keys, large, clipped;
+  std::size_t bins, fragment_keys, sample_fragments, large, clipped;
 };
 
 // Shares out a frame's primitives to chunks, and sets chunk_count, primitive_groups_per_chunk, capacities and offsets

@@ -30,6 +30,7 @@ struct Draw {
   std::array<Row, 3> object_to_eye;   // for lighting: positions
   std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
   std::array<float, 4> base_color;
+  std::uint32_t line_width = 1u << 8;  // of a wireframe: sub-pixels
   bool vertex_colors = false;
   bool lit_per_pixel = false;  // of a flat draw: its faces' normals meet the light at each pixel, not at their centres
   ActiveTargets targets;       // only those with a weight other than 0
@@ -55,6 +56,7 @@ struct FramePlan {
   std::int64_t frame = 0, fps_numerator = 0, fps_denominator = 1;
   int width = 0, height = 0;
   bool color = true, depth = true;
+  int samples = 1;  // a pixel, of which its colour and alpha are the mean; 1 without colour
   std::vector<Draw> draws;
   // Not 0: plans of one planner with the same number have the same draws, but for their targets' weights.
   std::uint64_t draws_version = 0;

@@ -22,14 +22,15 @@ struct Int4 {
 // The host knows the default's layout of this struct alone; the others have its size.
 static_assert(sizeof(LargeTriangle) == 64);
 // Members are 4 bytes wide, or 8 and in front, so device and host agree when the totals do.
-static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 15));
+static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 16));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(ClippedPrimitive) == 104);
 static_assert(sizeof(BinsOffsets) == 64);
-static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 47);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 49);
 static_assert(sizeof(ChunkStatus) == 16);
+static_assert(sizeof(SampleFragment) == 20);
 static_assert(sizeof(BinsHeader) == 64);
 
 static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FLOAT &&
@@ -42,6 +43,7 @@ static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FL
 static_assert(TILE_BLOCK == LANES, "a row of a block is one vector");
 static_assert(TILE_BLOCKS * TILE_BLOCKS == LANES, "a tile's blocks are the lanes of one vector");
 static_assert(2 * TILE_BITS <= 16, "a place in a tile is a ushort");
+static_assert(PLACE_IN_TILE_BITS == 2 * TILE_BITS && PLACE_IN_TILE_BITS + MAX_SAMPLES <= 32);
 static_assert(CLIP_VERTICES == 3 + CLIP_PLANES, "each plane that cuts a triangle adds a corner");
 static_assert(CLIP_VERTICES <= PIECES, "the pieces of a clipped primitive have numbers");
 static_assert((PAGE & (PAGE - 1)) == 0, "entries of a page are counted by a mask");

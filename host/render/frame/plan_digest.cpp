@@ -40,12 +40,12 @@ class Digester {
 // Bytes in a row, in which nothing is left between the fields.
 struct FrameKey {
   std::int32_t width, height;
-  std::uint32_t color, depth, depth_format;
+  std::uint32_t color, depth, depth_format, samples;
   CameraConstants camera;
   std::array<float, 3> ambient;
   std::uint32_t light_count, draw_count, background_rows;
 };
-static_assert(sizeof(FrameKey) == 11 * 4 + sizeof(CameraConstants));
+static_assert(sizeof(FrameKey) == 12 * 4 + sizeof(CameraConstants));
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -55,7 +55,7 @@ static_assert(sizeof(LightKey) == 8 * 4);
 
 struct DrawKey {
   const Mesh* mesh;
-  std::uint32_t shading, double_sided, mirrored, colors_displaced_lit;
+  std::uint32_t shading_line_width, double_sided, mirrored, colors_displaced_lit;
   std::array<float, 4> base_color;
   std::array<Row, 4> object_to_clip;
   std::array<Row, 3> object_to_eye;
@@ -76,8 +76,8 @@ void add(Digester& digester, const EyeLight& light) {
 void add(Digester& digester, const Draw& draw) {
   // Left out: the object's number.
   const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
-               vertex_colors, lit_per_pixel, targets, accuracy, displaced] = draw;
-  digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading), double_sided, mirrored,
+               line_width, vertex_colors, lit_per_pixel, targets, accuracy, displaced] = draw;
+  digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
                        vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u), base_color, object_to_clip,
                        object_to_eye, normal_to_eye, count(targets.size())});
   for (const ActiveTarget& target : targets) digester.add(target);
@@ -93,12 +93,13 @@ void add(Digester& digester, const Draw& draw) {
 
 PlanDigest pixel_digest(const FramePlan& plan) {
   // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
-  const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, color, depth, draws, draws_version,
-               lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices, keeps_blank_tiles,
-               background, world_to_eye, world_to_ndc] = plan;
+  const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, color, depth, samples, draws,
+               draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices,
+               keeps_blank_tiles, background, world_to_eye, world_to_ndc] = plan;
   Digester digester;
-  digester.add(FrameKey{width, height, color, depth, static_cast<std::uint32_t>(depth_format), camera, ambient,
-                        count(lights.size()), count(draws.size()), background ? count(background->size()) : 0});
+  digester.add(FrameKey{width, height, color, depth, static_cast<std::uint32_t>(depth_format),
+                        static_cast<std::uint32_t>(samples), camera, ambient, count(lights.size()), count(draws.size()),
+                        background ? count(background->size()) : 0});
   if (background)
     for (const BackgroundRow& row : *background) digester.add(row);
   for (const EyeLight& light : lights) add(digester, light);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/render/frame/kernel_layout.hpp"
 #include "morphcl/transform.hpp"
 
 namespace morphcl {
@@ -25,6 +26,8 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   draw.mirrored = glm::determinant(glm::dmat3(object_to_eye)) < 0.0;
   const glm::dvec4& base = object.material.base_color;
   draw.base_color = {to_fp32(base.r), to_fp32(base.g), to_fp32(base.b), to_fp32(base.a)};
+
+  draw.line_width = static_cast<std::uint32_t>(std::max(1.0, object.material.line_width * layout::subpixels + 0.5));
 
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();

@@ -122,6 +122,15 @@ std::shared_ptr<const std::vector<BackgroundRow>> background_rows(const ImageSet
   return rows;
 }
 
+// How far a line's pixels may lie from it: not at all where each column has one, else by less than 0.71 of its width.
+double margin_of_lines(const Scene& scene) {
+  double margin = 0;
+  for (const Object& object : scene.objects)
+    if (object.material.shading == Shading::wireframe && (scene.image.samples > 1 || object.material.line_width != 1))
+      margin = std::max(margin, 0.75 * object.material.line_width + 1);
+  return margin;
+}
+
 const Scene& valid(const Scene& scene) {
   try {
     validate(scene);
@@ -142,6 +151,7 @@ struct Planner::Impl {
         tree(bounds_over_time(s, meshes, nodes)),
         facts(facts_of_objects(s, nodes)),
         background(background_rows(s.image)),
+        margin(margin_of_lines(s)),
         weights(s),
         elastic(s) {}
 
@@ -170,6 +180,7 @@ struct Planner::Impl {
   const ObjectTree tree;
   const std::vector<ObjectFacts> facts;
   const std::shared_ptr<const std::vector<BackgroundRow>> background;
+  const double margin;         // around the picture, pixels
   ObjectTree::InView in_view;  // of the last frame's view
   DrawMemory memory;
   SharedWeights weights;
@@ -196,9 +207,10 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.height = scene.image.height;
   plan.color = scene.image.color;
   plan.depth = scene.image.depth;
+  plan.samples = plan.color ? scene.image.samples : 1;
   const int eye = timeline.camera.node;
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
-  const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);
+  const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height, margin);
   add_camera(volume, camera.world_to_eye, plan);
   plan.depth_format = scene.image.depth_format;
   set_depth_buffer(plan.depth_format, far_distance(camera.projection), plan.camera);

@@ -29,13 +29,13 @@ std::vector<Vertex> project(const FramePlan& plan) {
 
 // At least as much as the depth that renderers compute at a pixel of this triangle can leave the interval of its
 // corners'. Renderers measure from a corner to the pixel, at most a tile beyond the triangle's box: two
-// products of differences and one of depths each, over the area, 16 roundings at most.
+// products of differences and one of depths each, over the area, and on to a sample, 20 roundings at most.
 double depth_rounding(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double area) {
   const double extent = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y),
                                   std::abs(c.x - b.x), std::abs(c.y - b.y)});
   const double rise = std::max(std::abs(double{b.depth} - a.depth), std::abs(double{c.depth} - a.depth)) +
                       std::abs(double{c.depth} - b.depth);
-  return 16 * unit_roundoff<float> *
+  return 20 * unit_roundoff<float> *
          (std::abs(a.depth) + rise * (1 + 4 * extent * (extent + layout::tile * layout::subpixels) / area));
 }
 

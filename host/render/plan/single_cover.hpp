@@ -15,8 +15,8 @@ namespace morphcl {
 // round, so how many of them cover a point is how often their boundary - the edges that are left when edges run through
 // in both directions cancel - winds around it. When every boundary edge runs counter-clockwise as seen from one point,
 // and they wind around that point once, each ray from it meets the boundary once: no point is wound around twice. A
-// pixel centre on an edge belongs to one of its two sides by the renderers' fill rule, which moves all centres by the
-// same infinitesimal step, so it is no exception. The depth of a pixel differs from the exact plane of its triangle by
+// sample on an edge belongs to one of its two sides by the renderers' fill rule, which moves all samples by the same
+// infinitesimal step, so it is no exception. The depth of a pixel differs from the exact plane of its triangle by
 // rounding only, which is bounded and compared with the distance to the far plane.
 bool is_covered_once(const FramePlan& plan);
 

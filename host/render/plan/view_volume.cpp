@@ -39,7 +39,7 @@ glm::dvec4 measure_depth(const Projection& projection, CameraConstants& camera) 
 
 }  // namespace
 
-ViewVolume make_view_volume(const Projection& projection, int width, int height) {
+ViewVolume make_view_volume(const Projection& projection, int width, int height, double margin) {
   ViewVolume volume;
   volume.camera.parallel = is_parallel(projection);
   const glm::dvec4 depth_row = measure_depth(projection, volume.camera);
@@ -51,7 +51,8 @@ ViewVolume make_view_volume(const Projection& projection, int width, int height)
   const glm::dvec4 near_plane =
       volume.camera.parallel ? glm::dvec4(0, 0, -1, volume.camera.near_depth) : glm::dvec4(0, 0, -1, 1);
   const glm::dvec4 far_plane(0, 0, 1, -volume.camera.far_depth);
-  volume.view = {near_plane, far_plane, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
+  const double x = 1 + 2 * margin / width, y = 1 + 2 * margin / height;
+  volume.view = {near_plane, far_plane, {1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}};
   const RasterGrid grid(width, height);
   volume.clip = {
       near_plane, {1, 0, 0, grid.guard_x}, {-1, 0, 0, grid.guard_x}, {0, 1, 0, grid.guard_y}, {0, -1, 0, grid.guard_y}};

@@ -19,7 +19,8 @@ struct ViewVolume {
   std::array<glm::dvec4, 5> clip;  // near, and the guard band: what is inside all of them is not clipped
 };
 
+// The view reaches `margin` pixels beyond the picture: so far what is drawn may be from the points it is drawn for.
 // Error(bad_input) when a perspective's near plane is closer than 1e-30.
-ViewVolume make_view_volume(const Projection& projection, int width, int height);
+ViewVolume make_view_volume(const Projection& projection, int width, int height, double margin = 0);
 
 }  // namespace morphcl

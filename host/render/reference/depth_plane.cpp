@@ -19,12 +19,18 @@ ReversedPlane::ReversedPlane(const ScreenVertex& a, const ScreenVertex& b, const
   dy_ = std::fma(static_cast<float>(d1x_), d2_, -(static_cast<float>(d2x_) * d1_)) * inverse_area_ * pixel_width;
 }
 
-StoredDepth ReversedPlane::at(int x, int y, int origin_x, int origin_y) const {
+StoredDepth ReversedPlane::at(int x, int y, SampleOffset sample, int origin_x, int origin_y) const {
   const std::int64_t ox = pixel_centre(origin_x) - a_.x, oy = pixel_centre(origin_y) - a_.y;
   const float part1 = static_cast<float>(ox * d2y_ - oy * d2x_) * inverse_area_;
   const float part2 = static_cast<float>(oy * d1x_ - ox * d1y_) * inverse_area_;
   const float origin = std::fma(part1, d1_, std::fma(part2, d2_, a_.depth));
-  return {std::fma(dx_, static_cast<float>(x - origin_x), std::fma(dy_, static_cast<float>(y - origin_y), origin))};
+  return {std::fma(dx_, static_cast<float>(x - origin_x) + sample.pixels_x(),
+                   std::fma(dy_, static_cast<float>(y - origin_y) + sample.pixels_y(), origin))};
+}
+
+StoredDepth ReversedPlane::beside_centre(int x, int y, SampleOffset sample, int origin_x, int origin_y) const {
+  const float centre = at(x, y, {0, 0}, origin_x, origin_y).depth;
+  return {std::fma(dx_, sample.pixels_x(), std::fma(dy_, sample.pixels_y(), centre))};
 }
 
 NormalizedDepthPlane::NormalizedDepthPlane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b,
@@ -50,8 +56,9 @@ NormalizedDepthPlane::NormalizedDepthPlane(const FramePlan& plan, const ScreenVe
   }
 }
 
-StoredDepth NormalizedDepthPlane::at(int x, int y) const {
-  const std::int64_t px = pixel_centre(x) - a_.x, py = pixel_centre(y) - a_.y;
+StoredDepth NormalizedDepthPlane::at(int x, int y, SampleOffset sample) const {
+  const std::int64_t px = pixel_centre(x) + sample.subpixels_x() - a_.x,
+                     py = pixel_centre(y) + sample.subpixels_y() - a_.y;
   const std::int64_t part_b = px * d2y_ - py * d2x_, part_c = py * d1x_ - px * d1y_, part_a = area_ - part_b - part_c;
   const TwoFloat normalized_depth = from_integer(part_a) * over_area_[0] +
                                     (from_integer(part_b) * over_area_[1] + from_integer(part_c) * over_area_[2]);

@@ -7,6 +7,7 @@
 #include "host/render/frame/kernel_layout.hpp"
 #include "host/render/frame/normalized_depth.hpp"
 #include "host/render/frame/raster_grid.hpp"
+#include "host/render/frame/sample_pattern.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
@@ -20,11 +21,14 @@ struct StoredDepth {
 
 // Triangles a b c whose doubled area is positive.
 
-// The reversed float buffer: from corner a to the centre of an origin pixel, from there in steps.
+// The reversed float buffer: from corner a to the centre of an origin pixel, from there in steps of pixels and parts of
+// them.
 class ReversedPlane {
  public:
   ReversedPlane(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int64_t area);
-  StoredDepth at(int x, int y, int origin_x, int origin_y) const;
+  StoredDepth at(int x, int y, SampleOffset sample, int origin_x, int origin_y) const;
+  // By way of the centre of its pixel.
+  StoredDepth beside_centre(int x, int y, SampleOffset sample, int origin_x, int origin_y) const;
 
  private:
   ScreenVertex a_;
@@ -37,7 +41,7 @@ class NormalizedDepthPlane {
  public:
   NormalizedDepthPlane(const FramePlan& plan, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                        std::int64_t area);
-  StoredDepth at(int x, int y) const;
+  StoredDepth at(int x, int y, SampleOffset sample) const;
 
  private:
   const FramePlan& plan_;

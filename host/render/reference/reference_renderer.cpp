@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/render/frame/frame_plan.hpp"
+#include "host/render/reference/resolve.hpp"
 #include "host/render/reference/shade.hpp"
 #include "host/thread_count.hpp"
 #include "host/threads.hpp"
@@ -43,22 +44,41 @@ std::array<std::uint16_t, 4> opaque_pixel(const glm::vec3& color) {
           imath_float_to_half(1.0f)};
 }
 
-void draw_rows(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
-               const std::vector<RowMemory>& frame, reference::Visibility& visible) {
-  reference::find_visible(plan, grid, vertices, rows, visible);
+// Of one sample a pixel, the centre. `with_color`: else distances alone.
+void draw_centres(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
+                  bool with_color, const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+  reference::find_visible(plan, grid, vertices, rows, 1, visible);
   for (int y = rows.first; y < plan.height; y += rows.step) {
     const RowMemory& row = frame[static_cast<std::size_t>(y)];
     const BackgroundRow behind = plan.background ? (*plan.background)[static_cast<std::size_t>(y)] : BackgroundRow{};
     for (int x = 0; x < plan.width; ++x) {
       const reference::Sample& sample = visible.sample(x, y);
       const bool background = sample.order == reference::no_order;
-      if (plan.color) {
+      if (with_color) {
         const BackgroundRow pixel = background ? behind : opaque_pixel(reference::shade(plan, visible, vertices, x, y));
         for (std::size_t c = 0; c < 4; ++c) row.color[c][x] = pixel[c];
       }
       if (plan.depth) row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
     }
   }
+}
+
+// Colours of several samples a pixel.
+void draw_samples(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
+                  const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+  reference::find_visible(plan, grid, vertices, rows, plan.samples, visible);
+  for (int y = rows.first; y < plan.height; y += rows.step)
+    for (int x = 0; x < plan.width; ++x) {
+      const auto pixel = reference::resolve_pixel(plan, visible, vertices, x, y);
+      for (std::size_t c = 0; c < 4; ++c) frame[static_cast<std::size_t>(y)].color[c][x] = pixel[c];
+    }
+}
+
+void draw_rows(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
+               const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+  const bool one_sample = plan.samples == 1;
+  if (one_sample || plan.depth) draw_centres(plan, grid, vertices, rows, plan.color && one_sample, frame, visible);
+  if (!one_sample) draw_samples(plan, grid, vertices, rows, frame, visible);
 }
 
 class ReferenceRenderer : public Renderer {
@@ -68,7 +88,9 @@ class ReferenceRenderer : public Renderer {
   std::string name() const override { return "reference"; }
 
   // The samples of the picture.
-  Memory memory() const override { return {.per_pixel = sizeof(reference::Sample) + 4, .fixed = 0}; }
+  Memory memory() const override {
+    return {.per_pixel = sizeof(reference::Sample) + 4, .fixed = 0, .per_sample = sizeof(reference::Sample)};
+  }
 
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {

@@ -1,5 +1,6 @@
 #include "host/render/reference/shade.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/render/frame/raster_grid.hpp"
@@ -7,30 +8,76 @@
 
 namespace morphcl::reference {
 
+float eye_distance(const FramePlan& plan, float depth) {
+  return plan.camera.parallel ? -depth : plan.camera.near / depth;
+}
+
 namespace {
 
 struct Weights {
   float vertex[3];
-  float distance = 0;  // of the pixel, interpolated like an attribute
+  float distance = 0;  // of the place, interpolated like an attribute
   float total() const { return vertex[0] + vertex[1] + vertex[2]; }
 };
 
-Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], int x, int y) {
+// Where a pixel is shaded.
+struct Place {
+  int x, y;            // sub-pixels
+  float stored_depth;  // of the depth buffer there, where one sample a pixel decides what is seen
+  bool has_depth;
+};
+
+// Doubled areas opposite to the corners; all have the sign of the orientation on the screen, or are 0, where the place
+// is in the triangle.
+struct Areas {
+  float corner[3];
+  float min() const { return std::min(corner[0], std::min(corner[1], corner[2])); }
+  float max() const { return std::max(corner[0], std::max(corner[1], corner[2])); }
+  bool inside() const { return min() >= 0.0f || max() <= 0.0f; }
+};
+
+Areas areas_at(const ScreenVertex corner[3], int px, int py) {
   float dx[3], dy[3];
   for (int i = 0; i < 3; ++i) {
-    dx[i] = static_cast<float>(corner[i].x - pixel_centre(x));
-    dy[i] = static_cast<float>(corner[i].y - pixel_centre(y));
+    dx[i] = static_cast<float>(corner[i].x - px);
+    dy[i] = static_cast<float>(corner[i].y - py);
   }
-  Weights w;
+  Areas areas;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    w.vertex[i] = difference_of_products(dx[j], dy[k], dx[k], dy[j]);
+    areas.corner[i] = difference_of_products(dx[j], dy[k], dx[k], dy[j]);
+  }
+  return areas;
+}
+
+// A centroid is rounded to sub-pixels: of needles it may lie outside by less than one. Nothing is extrapolated all the
+// same.
+Areas clamped(Areas areas, const ScreenVertex corner[3]) {
+  const bool positive = areas_at(corner, corner[0].x, corner[0].y).corner[0] >= 0.0f;  // the whole area
+  for (float& area : areas.corner) area = positive ? std::max(area, 0.0f) : std::min(area, 0.0f);
+  return areas;
+}
+
+Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], const Areas& areas, const Place& place) {
+  Weights w;
+  for (int i = 0; i < 3; ++i) {
+    w.vertex[i] = areas.corner[i];
     if (!plan.camera.parallel) w.vertex[i] *= corner[i].inverse_w;
   }
-  if (is_forward(plan.depth_format))  // its corners have their distance in place of depth
+  if (is_forward(plan.depth_format)) {  // its corners have their distance in place of depth
     w.distance =
         std::fma(w.vertex[0], corner[0].depth, std::fma(w.vertex[1], corner[1].depth, w.vertex[2] * corner[2].depth)) /
         w.total();
+  } else if (!place.has_depth) {
+    // The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
+    const float* const a = areas.corner;
+    w.distance =
+        plan.camera.parallel
+            ? -(std::fma(a[0], corner[0].depth, std::fma(a[1], corner[1].depth, a[2] * corner[2].depth)) / w.total())
+            : (a[0] + a[1] + a[2]) / w.total();
+  } else {
+    w.distance = eye_distance(plan, place.stored_depth);
+  }
   return w;
 }
 
@@ -50,22 +97,16 @@ glm::vec3 interpolate(const Weights& w, const Vector& a, const Vector& b, const 
   return sum;
 }
 
-glm::vec3 eye_position(const FramePlan& plan, int x, int y, float distance) {
-  const float across = std::fma(static_cast<float>(x) + 0.5f, plan.camera.ray[0], plan.camera.ray[1]);
-  const float up = std::fma(static_cast<float>(y) + 0.5f, plan.camera.ray[2], plan.camera.ray[3]);
+glm::vec3 eye_position(const FramePlan& plan, const Place& place, float distance) {
+  constexpr float pixel = 1.0f / layout::subpixels;
+  const float across = std::fma(static_cast<float>(place.x) * pixel, plan.camera.ray[0], plan.camera.ray[1]);
+  const float up = std::fma(static_cast<float>(place.y) * pixel, plan.camera.ray[2], plan.camera.ray[3]);
   if (!plan.camera.parallel) return {across * distance, up * distance, -distance};
   return {std::fma(distance, plan.camera.slant[0], across), std::fma(distance, plan.camera.slant[1], up), -distance};
 }
 
-}  // namespace
-
-float eye_distance(const FramePlan& plan, float depth) {
-  return plan.camera.parallel ? -depth : plan.camera.near / depth;
-}
-
-glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
-                int x, int y) {
-  const Sample& sample = visible.sample(x, y);
+glm::vec3 shade_at(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                   const std::vector<std::vector<Vertex>>& vertices, Place place, SubPixelOffset centroid) {
   const Draw& draw = plan.draws[sample.draw];
   glm::vec3 color(draw.base_color[0], draw.base_color[1], draw.base_color[2]);
   if (draw.shading == Shading::wireframe) return color;
@@ -80,14 +121,17 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
   }
   if (draw.shading != Shading::smooth && !draw.lit_per_pixel && !draw.vertex_colors) return color;
 
-  Weights w;
-  if (sample.piece == no_piece) {
-    const ScreenVertex corner[3] = {a->screen, b->screen, c->screen};
-    w = screen_weights(plan, corner, x, y);
-  } else {
-    const Piece& piece = visible.pieces[sample.piece];
-    w = source_weights(screen_weights(plan, piece.corner, x, y), piece);
+  const bool is_cut = sample.piece != no_piece;
+  const ScreenVertex whole[3] = {a->screen, b->screen, c->screen};
+  const ScreenVertex* const corner = is_cut ? visible.pieces[sample.piece].corner : whole;
+  Areas areas = areas_at(corner, place.x, place.y);
+  if (!place.has_depth && !areas.inside()) {
+    place.x += centroid.x;
+    place.y += centroid.y;
+    areas = clamped(areas_at(corner, place.x, place.y), corner);
   }
+  Weights w = screen_weights(plan, corner, areas, place);
+  if (is_cut) w = source_weights(w, visible.pieces[sample.piece]);
   if (draw.shading == Shading::smooth || draw.lit_per_pixel) {
     glm::vec3 normal = face.normal;
     if (draw.shading == Shading::smooth) {
@@ -95,15 +139,26 @@ glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vec
       // The weights carry the sign of the orientation on the screen, negative for front faces of unmirrored objects.
       if (draw.double_sided ? !draw.mirrored : w.total() < 0.0f) normal = -normal;
     }
-    // A coarse depth buffer decides what is seen, not how it is lit.
-    const float distance = is_forward(plan.depth_format) ? w.distance : eye_distance(plan, sample.depth);
-    color *= lambert(plan, normal, eye_position(plan, x, y, distance));
+    color *= lambert(plan, normal, eye_position(plan, place, w.distance));
   }
   if (draw.vertex_colors) {
     const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);
     for (int i = 0; i < 3; ++i) color[i] *= tint[i] / w.total();
   }
   return color;
+}
+
+}  // namespace
+
+glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
+                int x, int y) {
+  const Sample& sample = visible.sample(x, y);
+  return shade_at(plan, visible, sample, vertices, {pixel_centre(x), pixel_centre(y), sample.depth, true}, {0, 0});
+}
+
+glm::vec3 shade_part(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                     const std::vector<std::vector<Vertex>>& vertices, int x, int y, SubPixelOffset centroid) {
+  return shade_at(plan, visible, sample, vertices, {pixel_centre(x), pixel_centre(y), 0, false}, centroid);
 }
 
 }  // namespace morphcl::reference

@@ -5,6 +5,7 @@
 
 #include "host/render/frame/kernel_layout.hpp"
 #include "host/render/frame/raster_grid.hpp"
+#include "host/render/frame/sample_pattern.hpp"
 #include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/depth_plane.hpp"
 
@@ -12,12 +13,22 @@ namespace morphcl::reference {
 
 namespace {
 
-int first_pixel(int low) { return (low + layout::half_pixel - 1) >> layout::subpixel_bits; }
-int last_pixel(int high) { return (high - layout::half_pixel) >> layout::subpixel_bits; }
+// Half of what a line covers across its longer axis, in sub-pixels.
+std::int64_t half_thickness(std::int64_t run, std::int64_t rise, std::uint32_t width) {
+  const auto along = static_cast<float>(run), across = static_cast<float>(rise);
+  const float length = std::sqrt(std::fma(across, across, along * along));
+  return std::max(static_cast<int>(0.5f * static_cast<float>(width) * (length / along) + 0.5f), 1);
+}
 
 class Rasterizer {
  public:
-  Rasterizer(const FramePlan& plan, Visibility& visible) : plan_(plan), visible_(visible) {}
+  Rasterizer(const FramePlan& plan, Visibility& visible)
+      : plan_(plan), visible_(visible), pattern_(sample_pattern(visible.samples_a_pixel)) {
+    for (const SampleOffset& sample : pattern_) {
+      min_sample_ = std::min(min_sample_, layout::half_pixel + sample.subpixels_x());
+      max_sample_ = std::max(max_sample_, layout::half_pixel + sample.subpixels_x());
+    }
+  }
 
   // `identity` holds everything of the samples but their depth.
   void triangle(ScreenVertex a, ScreenVertex b, ScreenVertex c, bool double_sided, bool may_be_small,
@@ -37,27 +48,43 @@ class Rasterizer {
     const auto fill = [&](const auto& depth_at) {
       for (int y = rows.next_from(std::max(first_y, 0)); y <= last_y; y += rows.step)
         for (int x = std::max(first_x, 0); x <= last_x; ++x)
-          if (inside(a, b, x, y) && inside(b, c, x, y) && inside(c, a, x, y)) cover(x, y, depth_at(x, y), identity);
+          for (std::size_t s = 0; s < pattern_.size(); ++s) {
+            const int px = pixel_centre(x) + pattern_[s].subpixels_x(),
+                      py = pixel_centre(y) + pattern_[s].subpixels_y();
+            if (inside(a, b, px, py) && inside(b, c, px, py) && inside(c, a, px, py))
+              cover(x, y, s, depth_at(x, y, pattern_[s]), identity);
+          }
     };
     if (is_forward(plan_.depth_format)) {
       const NormalizedDepthPlane plane(plan_, a, b, c, area);
-      fill([&](int x, int y) { return plane.at(x, y); });
+      fill([&](int x, int y, SampleOffset sample) { return plane.at(x, y, sample); });
       return;
     }
-    // Small triangles measure depth from their own box, the others from the tile's corner, starting at the farthest
-    // vertex.
+    // Small triangles measure depth from their own box, to samples by way of the pixel's centre; the others from the
+    // tile's corner, starting at the farthest vertex.
     const int max_extent = layout::tile * layout::subpixels;
     const bool small = may_be_small && high_x - low_x < max_extent && high_y - low_y < max_extent &&
                        last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
     if (!small) turn_farthest_first(a, b, c);
     const ReversedPlane plane(a, b, c, area);
-    fill([&](int x, int y) {
-      return small ? plane.at(x, y, first_x, first_y)
-                   : plane.at(x, y, x / layout::tile * layout::tile, y / layout::tile * layout::tile);
+    const bool centre = pattern_.size() == 1;
+    fill([&](int x, int y, SampleOffset sample) {
+      if (small)
+        return centre ? plane.at(x, y, sample, first_x, first_y) : plane.beside_centre(x, y, sample, first_x, first_y);
+      return plane.at(x, y, sample, x / layout::tile * layout::tile, y / layout::tile * layout::tile);
     });
   }
 
-  void line(ScreenVertex a, ScreenVertex b, const Sample& identity) {
+  void line(const ScreenVertex& a, const ScreenVertex& b, std::uint32_t width, const Sample& identity) {
+    if (pattern_.size() == 1 && width == layout::subpixels)
+      thin_line(a, b, identity);
+    else
+      wide_line(a, b, width, identity);
+  }
+
+ private:
+  // One pixel for each column (or, in steep lines, row).
+  void thin_line(ScreenVertex a, ScreenVertex b, const Sample& identity) {
     const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
     if (steep ? b.y < a.y : b.x < a.x) std::swap(a, b);
     const std::int64_t start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
@@ -71,11 +98,54 @@ class Rasterizer {
       const std::int64_t other = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
       if (other < 0 || other >= (steep ? plan_.width : plan_.height)) continue;
       const int x = steep ? static_cast<int>(other) : along, y = steep ? along : static_cast<int>(other);
-      if (visible_.rows.next_from(y) == y) cover(x, y, depth_on_line(plan_, a, b, offset, run), identity);
+      if (visible_.rows.next_from(y) == y) cover(x, y, 0, depth_on_line(plan_, a, b, offset, run), identity);
     }
   }
 
- private:
+  // A parallelogram: as long as the line along its longer axis, half open, and half_thickness() to both sides of it.
+  void wide_line(ScreenVertex a, ScreenVertex b, std::uint32_t width, const Sample& identity) {
+    const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+    if (steep ? b.y < a.y : b.x < a.x) std::swap(a, b);
+    const std::int64_t start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
+    const std::int64_t run = stop - start, rise = steep ? b.x - a.x : b.y - a.y;
+    if (run == 0) return;
+    const std::int64_t half = half_thickness(run, rise, width);
+    const int limit = steep ? plan_.height : plan_.width, across_limit = steep ? plan_.width : plan_.height;
+    // Of a pixel to the one next to it the line moves by a pixel across at most.
+    const auto reach = static_cast<int>(half / layout::subpixels) + 2;
+    const int first = std::max(first_pixel(static_cast<int>(start)), 0),
+              last = std::min(last_pixel(static_cast<int>(stop)), limit - 1);
+    for (int along = first; along <= last; ++along) {
+      const std::int64_t centre_offset = pixel_centre(along) - start;
+      const std::int64_t numerator = across * run + rise * centre_offset, denominator = run * layout::subpixels;
+      const std::int64_t middle = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
+      const auto low = static_cast<int>(std::clamp<std::int64_t>(middle - reach, 0, across_limit)),
+                 high = static_cast<int>(std::clamp<std::int64_t>(middle + reach, -1, across_limit - 1));
+      for (int other = low; other <= high; ++other) {
+        const int x = steep ? other : along, y = steep ? along : other;
+        if (visible_.rows.next_from(y) != y) continue;
+        for (std::size_t s = 0; s < pattern_.size(); ++s) {
+          const SampleOffset sample = pattern_[s];
+          const int px = pixel_centre(x) + sample.subpixels_x(), py = pixel_centre(y) + sample.subpixels_y();
+          const std::int64_t offset = (steep ? py : px) - start;
+          const std::int64_t beside = run * ((steep ? px : py) - across) - rise * offset;
+          if (offset < 0 || offset >= run || beside < -half * run || beside >= half * run) continue;
+          if (is_forward(plan_.depth_format)) {
+            cover(x, y, s, depth_on_line(plan_, a, b, offset, run), identity);
+            continue;
+          }
+          const float centre = depth_on_line(plan_, a, b, centre_offset, run).depth;
+          const float slope = (b.depth - a.depth) * static_cast<float>(layout::subpixels) / static_cast<float>(run);
+          cover(x, y, s, {std::fma(slope, steep ? sample.pixels_y() : sample.pixels_x(), centre)}, identity);
+        }
+      }
+    }
+  }
+
+  // First and last pixel of which a sample may lie in [low, high] sub-pixels.
+  int first_pixel(int low) const { return (low + layout::subpixels - 1 - max_sample_) >> layout::subpixel_bits; }
+  int last_pixel(int high) const { return (high - min_sample_) >> layout::subpixel_bits; }
+
   static void turn_farthest_first(ScreenVertex& a, ScreenVertex& b, ScreenVertex& c) {
     const ScreenVertex first = a, second = b, third = c;
     if (b.depth < a.depth && b.depth <= c.depth) {
@@ -89,17 +159,17 @@ class Rasterizer {
     }
   }
 
-  // Centres on an edge belong to the triangle whose top or left edge it is.
+  // Samples on an edge belong to the triangle whose top or left edge it is.
   static bool inside(const ScreenVertex& from, const ScreenVertex& to, int x, int y) {
     const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
-    const std::int64_t value = dx * (pixel_centre(y) - from.y) - dy * (pixel_centre(x) - from.x);
+    const std::int64_t value = dx * (y - from.y) - dy * (x - from.x);
     const bool owns_edge = dy < 0 || (dy == 0 && dx > 0);
     return owns_edge ? value >= 0 : value > 0;
   }
 
-  void cover(int x, int y, const StoredDepth& stored, const Sample& identity) {
+  void cover(int x, int y, std::size_t sample, const StoredDepth& stored, const Sample& identity) {
     if (!stored.in_range) return;
-    Sample& held = visible_.samples[visible_.index(x, y)];
+    Sample& held = visible_.samples[visible_.index(x, y) + sample];
     const bool forward = is_forward(plan_.depth_format);
     const bool nearer = forward ? stored.key > held.key : stored.depth > held.depth;
     const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
@@ -112,6 +182,8 @@ class Rasterizer {
 
   const FramePlan& plan_;
   Visibility& visible_;
+  std::span<const SampleOffset> pattern_;
+  int min_sample_ = layout::half_pixel, max_sample_ = layout::half_pixel;  // sub-pixels from the pixel's upper left
 };
 
 }  // namespace
@@ -119,16 +191,18 @@ class Rasterizer {
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices) {
   Visibility visible;
-  find_visible(plan, grid, vertices, {}, visible);
+  find_visible(plan, grid, vertices, {}, 1, visible);
   return visible;
 }
 
 void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
-                  const Rows& rows, Visibility& visible) {
+                  const Rows& rows, int samples_a_pixel, Visibility& visible) {
   visible.rows = rows;
   visible.width = plan.width;
+  visible.samples_a_pixel = samples_a_pixel;
   visible.pieces.clear();
-  visible.samples.assign(static_cast<std::size_t>(plan.width) * rows.count(plan.height),
+  visible.samples.assign(static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(rows.count(plan.height)) *
+                             static_cast<std::size_t>(samples_a_pixel),
                          {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
   Rasterizer rasterizer(plan, visible);
   std::uint64_t order = 0;
@@ -151,7 +225,7 @@ void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vect
       Sample identity{0, 0, order, d, p, no_piece};
       if (some == 0) {
         if (lines)
-          rasterizer.line(v[0]->screen, v[1]->screen, identity);
+          rasterizer.line(v[0]->screen, v[1]->screen, draw.line_width, identity);
         else
           rasterizer.triangle(v[0]->screen, v[second]->screen, v[third]->screen, draw.double_sided, true, identity);
         continue;
@@ -163,7 +237,8 @@ void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vect
       corners = clip_polygon(std::move(corners), plan, grid);
       if (lines) {
         if (corners.size() == 2)
-          rasterizer.line(to_screen(corners[0].clip, grid, plan), to_screen(corners[1].clip, grid, plan), identity);
+          rasterizer.line(to_screen(corners[0].clip, grid, plan), to_screen(corners[1].clip, grid, plan),
+                          draw.line_width, identity);
         continue;
       }
       for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

@@ -1,17 +1,18 @@
 // The reference's view of kernels/bin_primitives.cl and the first half of kernels/shade_tiles.cl: every primitive over
-// every pixel of its box, one visibility sample a pixel.
+// every sample of every pixel of its box.
 //
 // A picture can be drawn in parts, as threads do: each part is some of the rows, and none needs another one.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
 
-// The primitive that a pixel shows; order compares in drawing order and is no_order where nothing is seen.
+// The primitive that a sample of a pixel shows; order compares in drawing order and is no_order where nothing is seen.
 struct Sample {
   float depth;        // near / distance, in parallel projections minus the distance, as the depth buffer has it
   std::uint32_t key;  // of a forward depth buffer
@@ -40,19 +41,25 @@ struct Rows {
 struct Visibility {
   Rows rows;
   int width = 0;
-  std::vector<Sample> samples;  // of the rows, one after the other
+  int samples_a_pixel = 1;
+  std::vector<Sample> samples;  // of the rows, one after the other; those of a pixel side by side
   std::vector<Piece> pieces;
 
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>((y - rows.first) / rows.step) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
+    return (static_cast<std::size_t>((y - rows.first) / rows.step) * static_cast<std::size_t>(width) +
+            static_cast<std::size_t>(x)) *
+           static_cast<std::size_t>(samples_a_pixel);
   }
   const Sample& sample(int x, int y) const { return samples[index(x, y)]; }
+  std::span<const Sample> samples_of(int x, int y) const {
+    return {&samples[index(x, y)], static_cast<std::size_t>(samples_a_pixel)};
+  }
 };
 
 // Replaces `visible`, whose memory is used again: touching as much anew for each frame takes about a fifth of its time.
 void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
-                  const Rows& rows, Visibility& visible);
+                  const Rows& rows, int samples_a_pixel, Visibility& visible);
+// At the centre of every pixel.
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices);
 

@@ -32,6 +32,8 @@ void check_image(const ImageSettings& image) {
   if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
     fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
   if (image.background) check_background(*image.background);
+  if (std::ranges::find(sample_counts, image.samples) == sample_counts.end())
+    fail(fmt::format("{} samples a pixel; 1, 2, 4, 8 or 16 are possible", image.samples));
   if (image.z_error == 0) return;
   if (!image.depth)
     fail(fmt::format("z_error is {} and there is no channel Z; ask for Z, or leave it 0", image.z_error));
@@ -51,6 +53,9 @@ void check_object(const Scene& scene, std::size_t index) {
     fail(fmt::format("{}: there is no shading {}", name, shading));
   for (int c = 0; c < 4; ++c)
     if (!std::isfinite(object.material.base_color[c])) fail(fmt::format("{}: the base colour is not finite", name));
+
+  if (const double width = object.material.line_width; !(width > 0 && width <= max_line_width))
+    fail(fmt::format("{}: lines {} pixels wide; more than 0 to {} is possible", name, width, max_line_width));
 
   const MorphWeights& weights = object.morph;
   const std::size_t targets = scene.meshes[static_cast<std::size_t>(object.mesh)].targets.size();

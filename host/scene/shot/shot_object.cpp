@@ -45,10 +45,18 @@ glm::dvec4 read_base_color(const ShotValue& color) {
   return value;
 }
 
+double read_line_width(const ShotValue& value) {
+  const double width = value.number();
+  if (!(width > 0 && width <= max_line_width))
+    value.fail(fmt::format("line_width is {}; more than 0 and at most {} pixels is needed", width, max_line_width));
+  return width;
+}
+
 void read_material(const ShotTable& table, Material& material) {
   if (const auto shading = table.find("shading")) material.shading = read_shading(*shading);
   if (const auto color = table.find("color")) material.base_color = read_base_color(*color);
   if (const auto double_sided = table.find("double_sided")) material.double_sided = double_sided->boolean();
+  if (const auto width = table.find("line_width")) material.line_width = read_line_width(*width);
 }
 
 // The track of a node that `name` calls, or null, and what its keys look like.
@@ -72,7 +80,7 @@ std::string ObjectReader::read_name(const ShotTable& table) {
 
 void ObjectReader::read(const ShotValue& object) {
   const ShotTable table = object.table({"name", "mesh", "animation", "scene", "targets", "segments", "shading", "color",
-                                        "double_sided", "transform", "elastic", "track"});
+                                        "double_sided", "line_width", "transform", "elastic", "track"});
   const std::string name = read_name(table);
   const ImportedModel& model = library_.model(table);
 

@@ -20,7 +20,6 @@ constexpr std::array<std::string_view, 11> compressions = {"none",  "rle", "zips
                                                            "pxr24", "b44", "b44a", "dwaa", "dwab"};
 constexpr std::array<std::string_view, 2> drawn_channels = {"RGBA", "Z"};
 constexpr std::array<std::string_view, 5> later_channels = {"N", "P", "velocity", "object_id", "coverage"};
-constexpr std::array<std::int64_t, 3> later_samples = {4, 8, 16};
 constexpr std::int64_t max_fps_part = 1'000'000;
 
 template <typename Names, typename Name>
@@ -64,10 +63,10 @@ void read_channels(const ShotValue& channels, ImageSettings& image) {
   if (channels.size() == 0) channels.fail("channels is empty; name RGBA, Z or both");
 }
 
-void read_samples(const ShotValue& samples) {
+int read_samples(const ShotValue& samples) {
   const std::int64_t count = samples.integer();
-  if (holds(later_samples, count)) samples.fail(fmt::format("samples = {}: not drawn by this version: 1 is", count));
-  if (count != 1) samples.fail(fmt::format("samples is {}; 1 is possible", count));
+  if (!holds(sample_counts, count)) samples.fail(fmt::format("samples is {}; 1, 2, 4, 8 or 16 are possible", count));
+  return static_cast<int>(count);
 }
 
 std::string read_compression(const ShotValue& compression) {
@@ -163,7 +162,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
     settings.height = pixels((*size)[1]);
   }
   if (const auto channels = table.find("channels")) read_channels(*channels, settings);
-  if (const auto samples = table.find("samples")) read_samples(*samples);
+  if (const auto samples = table.find("samples")) settings.samples = read_samples(*samples);
   if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
   if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
   if (const auto background = table.find("background")) settings.background = read_background(*background);
