@@ -37,6 +37,24 @@ std::vector<std::int64_t> frames_to_compare(const CompareOptions& options, const
   return {frame_numbers(scene.frames).front()};
 }
 
+// The fp64 render sees what is at a pixel's centre, and lines one pixel wide. The same is drawn, and said where the
+// shot asks for more.
+void compare_at_centres(Scene& scene) {
+  if (scene.image.samples > 1 && scene.image.color)
+    print_message(
+        fmt::format("note: compared is one sample a pixel, its centre, not the {} of the shot; see "
+                    "docs/frame-error.md",
+                    scene.image.samples));
+  scene.image.samples = 1;
+  for (Object& object : scene.objects) {
+    double& width = object.material.line_width;
+    if (object.material.shading == Shading::wireframe && width != 1)
+      print_message(fmt::format("note: {}: lines are compared one pixel wide, not {}; see docs/frame-error.md",
+                                object.name, width));
+    width = 1;
+  }
+}
+
 // EXR, PNG and CSV of a folder: NAME.0057.grid.exr, NAME.0057.grid.png, NAME.csv.
 class Files {
  public:
@@ -69,9 +87,9 @@ class Files {
 int compare_command(const CompareOptions& options) {
   if (options.frames) parse_frame_range(*options.frames);  // a wrong one is reported before a large file is read
   Scene scene = open_scene(options.scene);
-  scene.image.samples = 1;  // what is compared is seen at the pixels' centres
   const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
   print_warnings(scene);
+  compare_at_centres(scene);
   Files files(options.out, scene);
   require_memory(bytes_per_compared_pixel * static_cast<std::uint64_t>(scene.image.width) *
                      static_cast<std::uint64_t>(scene.image.height),

@@ -110,6 +110,30 @@ TEST_F(Compare, ShotsWithoutColorAreComparedByDepth) {
   EXPECT_THAT(result.out, Not(HasSubstr("colour")));
 }
 
+TEST_F(Compare, SaysThatOneSampleIsCompared) {
+  const ToolResult one = compare({"--truth", "grid"});
+  EXPECT_EQ(one.err, "");
+  const ToolResult several = compare({"--truth", "grid", "--samples", "8"});
+  EXPECT_EQ(several.code, 0);
+  EXPECT_THAT(several.err, HasSubstr("note: compared is one sample a pixel, its centre, not the 8 of the shot"));
+  EXPECT_EQ(several.out, one.out);
+  EXPECT_EQ(compare({"--truth", "grid", "--channels", "Z", "--samples", "8"}).err, "") << "Z has one sample anyway";
+}
+
+TEST_F(Compare, SaysThatLinesAreComparedOnePixelWide) {
+  const auto compare_lines = [this](const std::string& more) {
+    const std::string shot = plant("lines.toml", cube_shot() +
+                                                     "[[object]]\nname = \"frame\"\nmesh = \"cube\"\nshading = "
+                                                     "\"wireframe\"\n" +
+                                                     more);
+    return run_tool({"compare", shot, "--device", "reference", "--truth", "grid"}, {.folder = folder_});
+  };
+  const ToolResult thin = compare_lines(""), wide = compare_lines("line_width = 4\n");
+  EXPECT_EQ(thin.err, "");
+  EXPECT_THAT(wide.err, HasSubstr("note: frame: lines are compared one pixel wide, not 4"));
+  EXPECT_EQ(wide.out, thin.out);
+}
+
 TEST_F(Compare, RefusesWhatItCannotDo) {
   expect_one_line_error(compare({"--frame", "1", "--frames", "1-3"}), 2, "--frame");
   expect_one_line_error(compare({"--frames", "3-1"}), 2, "3-1");
