@@ -6,19 +6,18 @@
 #include "host/render/frame/kernel_layout.hpp"
 #include "host/render/frame/raster_grid.hpp"
 #include "host/render/frame/sample_pattern.hpp"
-#include "host/render/reference/clip_polygon.hpp"
 #include "host/render/reference/depth_plane.hpp"
+#include "host/render/reference/screen_primitives.hpp"
 
 namespace morphcl::reference {
 
-namespace {
-
-// Half of what a line covers across its longer axis, in sub-pixels.
 std::int64_t half_thickness(std::int64_t run, std::int64_t rise, std::uint32_t width) {
   const auto along = static_cast<float>(run), across = static_cast<float>(rise);
   const float length = std::sqrt(std::fma(across, across, along * along));
   return std::max(static_cast<int>(0.5f * static_cast<float>(width) * (length / along) + 0.5f), 1);
 }
+
+namespace {
 
 class Rasterizer {
  public:
@@ -186,6 +185,23 @@ class Rasterizer {
   int min_sample_ = layout::half_pixel, max_sample_ = layout::half_pixel;  // sub-pixels from the pixel's upper left
 };
 
+struct DrawnPrimitives {
+  Rasterizer& rasterizer;
+  Visibility& visible;
+
+  void triangle(const ScreenTriangle& t, const PrimitiveIdentity& identity) {
+    Sample sample{0, 0, identity.order, identity.draw, identity.primitive, no_piece};
+    if (t.piece) {
+      sample.piece = static_cast<std::uint32_t>(visible.pieces.size());
+      visible.pieces.push_back(*t.piece);
+    }
+    rasterizer.triangle(t.a, t.b, t.c, t.double_sided, t.piece == nullptr, sample);
+  }
+  void line(const ScreenVertex& from, const ScreenVertex& to, std::uint32_t width, const PrimitiveIdentity& identity) {
+    rasterizer.line(from, to, width, {0, 0, identity.order, identity.draw, identity.primitive, no_piece});
+  }
+};
+
 }  // namespace
 
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
@@ -205,57 +221,7 @@ void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vect
                              static_cast<std::size_t>(samples_a_pixel),
                          {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
   Rasterizer rasterizer(plan, visible);
-  std::uint64_t order = 0;
-  for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {
-    const Draw& draw = plan.draws[d];
-    const bool lines = draw.shading == Shading::wireframe;
-    const std::vector<glm::uvec2> edges = lines ? wireframe_edges(*draw.mesh) : std::vector<glm::uvec2>();
-    const std::size_t count = lines ? edges.size() : draw.mesh->triangles.size();
-    // On the screen y points down: to give front faces a positive area, two corners change places.
-    const int second = draw.mirrored ? 1 : 2, third = draw.mirrored ? 2 : 1;
-    for (std::uint32_t p = 0; p < count; ++p, order += 8) {
-      std::vector<const Vertex*> v;
-      for (int i = 0; i < (lines ? 2 : 3); ++i)
-        v.push_back(&vertices[d][lines ? edges[p][i] : draw.mesh->triangles[p][i]]);
-      int some = 0, all = ~0;
-      for (const Vertex* vertex : v) {
-        some |= vertex->outcode;
-        all &= vertex->outcode;
-      }
-      Sample identity{0, 0, order, d, p, no_piece};
-      if (some == 0) {
-        if (lines)
-          rasterizer.line(v[0]->screen, v[1]->screen, draw.line_width, identity);
-        else
-          rasterizer.triangle(v[0]->screen, v[second]->screen, v[third]->screen, draw.double_sided, true, identity);
-        continue;
-      }
-      if (all != 0 || (some & OUT_INVALID) != 0) continue;
-      std::vector<Corner> corners;
-      for (std::size_t i = 0; i < v.size(); ++i)
-        corners.push_back({v[i]->clip, {i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f}});
-      corners = clip_polygon(std::move(corners), plan, grid);
-      if (lines) {
-        if (corners.size() == 2)
-          rasterizer.line(to_screen(corners[0].clip, grid, plan), to_screen(corners[1].clip, grid, plan),
-                          draw.line_width, identity);
-        continue;
-      }
-      for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        Piece piece;
-        const Corner* const fan[3] = {&corners[0], &corners[i], &corners[i + 1]};
-        for (int k = 0; k < 3; ++k) {
-          piece.corner[k] = to_screen(fan[k]->clip, grid, plan);
-          std::copy(fan[k]->weight, fan[k]->weight + 3, piece.weight[k]);
-        }
-        identity.order = order + i;
-        identity.piece = static_cast<std::uint32_t>(visible.pieces.size());
-        visible.pieces.push_back(piece);
-        rasterizer.triangle(piece.corner[0], piece.corner[second], piece.corner[third], draw.double_sided, false,
-                            identity);
-      }
-    }
-  }
+  for_each_screen_primitive(plan, grid, vertices, DrawnPrimitives{rasterizer, visible});
 }
 
 }  // namespace morphcl::reference
