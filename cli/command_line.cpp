@@ -192,16 +192,18 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
       ->group("Time")
       ->excludes(frame);
   command
-      .add_option("--truth", options.truth,
-                  "grid: fp64 on the same 1/256 pixel grid, what rounding costs; true: vertices where they truly are, "
-                  "what the grid costs as well; both (default)")
-      ->check(CLI::IsMember({"grid", "true", "both"}))
-      ->type_name("grid|true|both")
+      .add_option(
+          "--truth", options.truth,
+          "grid: fp64 on the same 1/256 pixel grid, what rounding costs; true: vertices where they truly are, "
+          "what the grid costs as well; both (default); coverage: what 1 to 16 samples a pixel miss of the exact "
+          "areas of surfaces, no picture is drawn")
+      ->check(CLI::IsMember({"grid", "true", "both", "coverage"}))
+      ->type_name("grid|true|both|coverage")
       ->group("Comparison");
   command
       .add_option("--out", options.out,
                   "Folder for an EXR of the differences (R, G, B, A absolute, Z relative, mask 1 outline 2 edge 3 "
-                  "order), a PNG of it, and a CSV; default: none")
+                  "order), a PNG of it, and a CSV (of coverage the CSV alone); default: none")
       ->type_name("DIR")
       ->group("Output");
   add_renderer_option(command, options.device.device);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "cli/compare_coverage.hpp"
 #include "cli/compare_report.hpp"
 #include "cli/compare_summary.hpp"
 #include "cli/console.hpp"
@@ -89,6 +90,7 @@ int compare_command(const CompareOptions& options) {
   Scene scene = open_scene(options.scene);
   const std::vector<std::int64_t> frames = frames_to_compare(options, scene);
   print_warnings(scene);
+  if (options.truth == "coverage") return compare_coverage(options, scene, frames);
   compare_at_centres(scene);
   Files files(options.out, scene);
   require_memory(bytes_per_compared_pixel * static_cast<std::uint64_t>(scene.image.width) *

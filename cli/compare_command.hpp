@@ -1,4 +1,4 @@
-// morphcl compare: frames against an fp64 render of the same shot.
+// morphcl compare: frames against an fp64 render of the same shot, samples against exact coverage.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct CompareOptions {
   DeviceOptions device{.device = auto_name, .threads = 0};
   std::optional<std::int64_t> frame;  // one frame, or
   std::optional<std::string> frames;  // a range; the first of the shot's range when both are absent
-  std::string truth = "both";         // grid, true or both
+  std::string truth = "both";         // grid, true or both; coverage
   std::string out;                    // folder for EXR, PNG and CSV; "": none
   bool json = false;
 };

@@ -27,7 +27,8 @@ constexpr std::array<Examples, 8> all_examples{{
   morphcl plan demos/teapots.toml --channels RGBA --json)"},
     {"compare", R"(
   morphcl compare demos/pyramid_to_cube.toml --frames 0-100x50 --size 320x180
-  morphcl compare demos/pyramid_to_cube.toml --frame 10 --size 320x180 --truth grid --out out/error)"},
+  morphcl compare demos/pyramid_to_cube.toml --frame 10 --size 320x180 --truth grid --out out/error
+  morphcl compare demos/solids.toml --frame 75 --size 320x180 --truth coverage)"},
     {"info", R"(
   morphcl info demos/teapots.toml
   morphcl info demos/pyramid_to_cube.toml --json)"},

@@ -134,6 +134,50 @@ TEST_F(Compare, SaysThatLinesAreComparedOnePixelWide) {
   EXPECT_EQ(wide.out, thin.out);
 }
 
+TEST_F(Compare, PrintsWhatSamplesMissOfExactCoverage) {
+  const ToolResult result = compare({"--truth", "coverage", "--frames", "1,3", "--out", "error"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("frame 1, 32x18, samples against exact coverage; "));
+  EXPECT_THAT(result.out, HasSubstr("beyond 1/255"));
+  EXPECT_THAT(result.out, HasSubstr("edges of triangles"));
+  EXPECT_THAT(result.out, HasSubstr("frames 1, 3, together:"));
+  const std::set<std::string> expected = {"shot.toml", "error/shot.coverage.csv"};
+  EXPECT_EQ(files(), expected);
+  const std::string table = test_support::text_of(path("error/shot.coverage.csv"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 3 * 5) << "frames, kinds of surfaces, samples";
+}
+
+TEST_F(Compare, CoverageAsJsonIsThatOfEveryNumberOfSamples) {
+  const ToolResult result = compare({"--truth", "coverage", "--frame", "2", "--json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  ASSERT_EQ(result.out_lines().size(), 30u) << result.out;
+  for (std::size_t i = 0; i < 30; ++i) {
+    const json line = json::parse(result.out_lines()[i]);
+    EXPECT_EQ(line.at("type"), i < 15 ? "coverage_error" : "range_coverage_error");
+    EXPECT_EQ(line.at("truth"), "coverage");
+    EXPECT_EQ(line.at("samples"), 1 << i % 5);
+    EXPECT_GT(line.at("edge_pixels"), 10);
+    EXPECT_LT(line.at("rms"), 0.6 / (1 << i % 5) + 0.1);
+    EXPECT_LT(line.at("error_bound"), 1e-9);
+    // One frame: the range is the frame.
+    for (const char* same : {"max", "rms", "beyond", "shift_x", "spread"})
+      EXPECT_EQ(line.at(same), json::parse(result.out_lines()[i % 15]).at(same)) << same;
+  }
+}
+
+// Whatever the shot asks for: its channels, its samples, and a device that is not used.
+TEST_F(Compare, CoverageIsThatOfAllSamplesWhateverTheShotSays) {
+  const std::vector<std::string> basic = {"--truth", "coverage", "--frame", "2", "--json"};
+  const std::string expected = compare(basic).out;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--channels", "Z"}, {"--samples", "8"}, {"--threads", "3"}}) {
+    std::vector<std::string> options = basic;
+    options.insert(options.end(), more.begin(), more.end());
+    EXPECT_EQ(compare(options).out, expected) << more[0];
+  }
+}
+
 TEST_F(Compare, RefusesWhatItCannotDo) {
   expect_one_line_error(compare({"--frame", "1", "--frames", "1-3"}), 2, "--frame");
   expect_one_line_error(compare({"--frames", "3-1"}), 2, "3-1");
@@ -143,6 +187,7 @@ TEST_F(Compare, RefusesWhatItCannotDo) {
   expect_one_line_error(compare({"--size", "16384x16384"}), 2, "8192 x 8192");
   expect_one_line_error(compare({"--device", "abacus"}), 2, "--device");
   expect_one_line_error(compare({"--out", "shot.toml"}), 73, "shot.toml");
+  expect_one_line_error(compare({"--truth", "coverage", "--out", "shot.toml"}), 73, "shot.toml");
   expect_one_line_error(run_tool({"compare", path("missing.toml")}), 66, "missing.toml");
 }
 

@@ -89,6 +89,7 @@ TEST_F(JsonFields, AreThoseOfTheDocumentation) {
   read({"render", "shot.toml", "-o", "f.####.png", "--device", "reference", "--json"});
   read({"plan", "shot.toml", "--json"});
   read({"compare", "shot.toml", "--frames", "0", "--device", "reference", "--json"});
+  read({"compare", "shot.toml", "--frames", "0", "--truth", "coverage", "--json"});
   read({"devices", "--json"});
   for (const char* file : {"shot.toml", "model.gltf", "f.0000.exr", "f.0000.png"}) read({"info", file, "--json"});
 
