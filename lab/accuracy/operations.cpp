@@ -27,7 +27,8 @@ std::vector<Operation> all_operations() {
           spring(),
           spring_chain(),
           point_in_polygon(),
-          whole_frame()};
+          whole_frame(),
+          antialiasing()};
 }
 
 }  // namespace morphcl::accuracy

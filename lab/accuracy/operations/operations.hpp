@@ -30,5 +30,6 @@ Operation spring();
 Operation spring_chain();
 Operation point_in_polygon();
 Operation whole_frame();
+Operation antialiasing();
 
 }  // namespace morphcl::accuracy

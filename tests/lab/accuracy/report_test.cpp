@@ -50,7 +50,9 @@ TEST(AccuracyReport, HasEveryOperation) {
                                                "lerp",
                                                "hermite",
                                                "spring",
-                                               "point-in-polygon"}));
+                                               "point-in-polygon",
+                                               "whole-frame",
+                                               "antialiasing"}));
 }
 
 // Of the hashes of the quick report that do not lean on the C library, one after the other. The same by every compiler,
@@ -89,6 +91,7 @@ const std::map<std::string, std::uint64_t> bits_of_operations = {
     {"spring-chain", 0xd2ca153cb4e8b30a},
     {"point-in-polygon", 0x8b9519a819dd26e0},
     {"whole-frame", 0x450c1b8bbfd526c1},
+    {"antialiasing", 0x6f05c3f15cf9c327},
 };
 
 // Every operation by its name, so that one that is wrong is named.
