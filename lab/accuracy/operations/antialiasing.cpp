@@ -4,6 +4,8 @@
 // it, and its alpha is that of all three.
 #include <xxhash.h>
 
+#include <ranges>
+
 #include "lab/accuracy/operations/operations.hpp"
 #include "lab/accuracy/random.hpp"
 #include "lab/exact_coverage/coverage_error.hpp"
@@ -166,7 +168,8 @@ class EdgeRun {
          {std::pair(reference.get(), "host"), std::pair(device.get(), "device+transfer")}) {
       if (!renderer) continue;
       const std::string prefix = renderer == device.get() ? "device, " : "";
-      for (const int samples : sample_counts)
+      // The most samples first, which the report's summary names.
+      for (const int samples : sample_counts | std::views::reverse)
         draw(prefix + std::to_string(samples) + (samples == 1 ? " sample" : " samples"), *renderer, samples, 1, where);
       for (const int scale : {2, 4})
         draw(prefix + std::to_string(scale) + " x " + std::to_string(scale) + " pixels", *renderer, 1, scale, where);

@@ -91,7 +91,7 @@ const std::map<std::string, std::uint64_t> bits_of_operations = {
     {"spring-chain", 0xd2ca153cb4e8b30a},
     {"point-in-polygon", 0x8b9519a819dd26e0},
     {"whole-frame", 0x450c1b8bbfd526c1},
-    {"antialiasing", 0x6f05c3f15cf9c327},
+    {"antialiasing", 0xb0e18aab431743e7},
 };
 
 // Every operation by its name, so that one that is wrong is named.
