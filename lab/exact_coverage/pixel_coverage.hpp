@@ -45,7 +45,7 @@ struct DepthInPixel {
 // Inside is where `depth` is larger than `other`.
 template <class Real>
 PixelLine<Real> line_where_nearer(const DepthInPixel& depth, const DepthInPixel& other) {
-  const auto coefficient = [&](std::int64_t WholeLine::*of) {
+  const auto coefficient = [&](std::int64_t WholeLine::* of) {
     ExactSum sum;
     for (std::size_t k = 0; k < 3; ++k) {
       sum.add_product(other.area, depth.weight[k].*of, depth.depth[k]);

@@ -14,7 +14,7 @@ namespace morphcl::reference {
 std::int64_t half_thickness(std::int64_t run, std::int64_t rise, std::uint32_t width) {
   const auto along = static_cast<float>(run), across = static_cast<float>(rise);
   const float length = std::sqrt(std::fma(across, across, along * along));
-  return std::max(static_cast<int>(0.5f * static_cast<float>(width) * (length / along) + 0.5f), 1);
+  return std::max(static_cast<int>(std::floor(0.5f * static_cast<float>(width) * (length / along) + 0.5f)), 1);
 }
 
 namespace {
