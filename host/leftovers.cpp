@@ -1,5 +1,7 @@
 #include "host/leftovers.hpp"
 
+#include <unistd.h>
+
 #include <mutex>
 #include <utility>
 
@@ -9,7 +11,7 @@ namespace {
 
 struct LeftoverList {
   std::mutex mutex;
-  std::list<std::string> paths;
+  std::list<LeftoverEntry> entries;
 };
 
 // Never destroyed: leftovers may go later than static objects do.
@@ -23,26 +25,29 @@ LeftoverList& leftover_list() {
 Leftover::Leftover(std::string path) {
   LeftoverList& list = leftover_list();
   const std::lock_guard lock(list.mutex);
-  entry_ = list.paths.insert(list.paths.end(), std::move(path));
+  entry_ = list.entries.insert(list.entries.end(), {std::move(path), getpid()});
 }
 
 Leftover::Leftover(std::string path, const std::function<void()>& make) {
   LeftoverList& list = leftover_list();
   const std::lock_guard lock(list.mutex);
-  entry_ = list.paths.insert(list.paths.end(), std::move(path));
+  entry_ = list.entries.insert(list.entries.end(), {std::move(path), getpid()});
   make();
 }
 
 Leftover::~Leftover() {
   LeftoverList& list = leftover_list();
   const std::lock_guard lock(list.mutex);
-  list.paths.erase(entry_);
+  list.entries.erase(entry_);
 }
 
 std::vector<std::string> claim_leftovers() {
   LeftoverList& list = leftover_list();
   list.mutex.lock();  // and it stays locked
-  return {list.paths.begin(), list.paths.end()};
+  std::vector<std::string> paths;
+  for (const LeftoverEntry& entry : list.entries)
+    if (entry.process == getpid()) paths.push_back(entry.path);
+  return paths;
 }
 
 }  // namespace morphcl

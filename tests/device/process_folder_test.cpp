@@ -71,6 +71,16 @@ TEST(ProcessFolder, GoesWithAProcessThatEndsWhileThreadsWriteIntoIt) {
   }
 }
 
+TEST(ProcessFolder, StaysWhereAForkedChildEndsAtOnce) {
+  const TemporaryFolder parent;
+  EXPECT_EQ(test_support::exit_code_of([&] {
+              const fs::path folder = make_process_folder(parent.path(), "own");
+              const int code = test_support::exit_code_of([] { end_process(7); });
+              _exit(fs::exists(folder) ? code : 1);
+            }),
+            7);
+}
+
 TEST(ProcessFolder, OfAKilledProcessIsRemovedByTheNext) {
   const TemporaryFolder parent;
   const pid_t owner = fork();
