@@ -21,11 +21,11 @@ inline std::int64_t doubled_area(const SubPixelPoint& from, const SubPixelPoint&
 }
 
 struct RasterPolygon {
-  std::array<SubPixelPoint, 4> corner;  // of positive area
-  int corners = 0;                      // 3, or 4 of a line
-  std::array<SubPixelPoint, 3> plane;   // where the depth is known; of positive area
-  std::array<double, 3> depth;          // larger is nearer
-  std::uint64_t order = 0;              // of equal depths the smaller one is seen
+  std::array<SubPixelPoint, 4> corner{};  // of positive area
+  int corners = 0;                        // 3, or 4 of a line
+  std::array<SubPixelPoint, 3> plane{};   // where the depth is known; of positive area
+  std::array<double, 3> depth{};          // larger is nearer
+  std::uint64_t order = 0;                // of equal depths the smaller one is seen
   std::uint32_t draw = 0, primitive = 0;
 
   double min_depth() const { return std::min({depth[0], depth[1], depth[2]}); }
