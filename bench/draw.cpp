@@ -54,13 +54,13 @@ struct Picture {
 void run(const Options& options, const Picture& asked_for) {
   Subject subject = make_subject(options);
   subject.scene.image.samples = asked_for.samples;
-  subject.scene.image.depth = !asked_for.colors_only;
+  subject.scene.image.channels.set(Channel::depth, !asked_for.colors_only);
   SessionOptions session_options;
   session_options.threads = prepare_process(options.threads);
   const std::shared_ptr<Session> session = Session::open(session_options);
   const std::unique_ptr<Renderer> renderer = make_device_renderer(session);
   const Planner planner(subject.scene);
-  FrameBuffer frame(subject.figures.width, subject.figures.height, true, !asked_for.colors_only);
+  FrameBuffer frame(subject.figures.width, subject.figures.height, subject.scene.image.channels);
 
   for (int i = 0; i < warm_up_frames; ++i) renderer->render(planner.plan(std::min(i, subject.frames - 1)), frame);
   session->store_programs();

@@ -31,7 +31,7 @@ struct Way {
       : name(name_),
         planner(scene, {.leave_out = leave_out}),
         renderer(std::move(drawn_by)),
-        pixels(scene.image.width, scene.image.height, true, true) {}
+        pixels(scene.image.width, scene.image.height, default_channels) {}
 
   std::string hash(std::int64_t frame) {
     renderer->render(planner.plan(frame), pixels);

@@ -52,7 +52,7 @@ struct Variant {
     if (change) change(scene.image);
     planner = std::make_unique<Planner>(scene, options);
     renderer = make_device_renderer(session);
-    pixels = std::make_unique<FrameBuffer>(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
+    pixels = std::make_unique<FrameBuffer>(scene.image.width, scene.image.height, scene.image.channels);
   }
 
   // Draws the frames; what one of them took on average, in milliseconds.
@@ -118,8 +118,8 @@ std::vector<Item> items(const ImageSettings& image) {
                             {"unchanged objects", {.kept_vertices = false}},
                             {"blank tiles", {.blank_tiles = false}},
                             {"all of these", {.leave_out = false}}};
-  if (!image.color) list.push_back({"RGBA", {}, [](ImageSettings& i) { i.color = true; }});
-  if (!image.depth) list.push_back({"Z", {}, [](ImageSettings& i) { i.depth = true; }});
+  if (!image.has_color()) list.push_back({"RGBA", {}, [](ImageSettings& i) { i.channels.insert(Channel::color); }});
+  if (!image.has_depth()) list.push_back({"Z", {}, [](ImageSettings& i) { i.channels.insert(Channel::depth); }});
   return list;
 }
 

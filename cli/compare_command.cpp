@@ -41,7 +41,7 @@ std::vector<std::int64_t> frames_to_compare(const CompareOptions& options, const
 // The fp64 render sees what is at a pixel's centre, and lines one pixel wide. The same is drawn, and said where the
 // shot asks for more.
 void compare_at_centres(Scene& scene) {
-  if (scene.image.samples > 1 && scene.image.color)
+  if (scene.image.samples > 1 && scene.image.has_color())
     print_message(
         fmt::format("note: compared is one sample a pixel, its centre, not the {} of the shot; see "
                     "docs/frame-error.md",

@@ -88,15 +88,15 @@ TimeBase parse_fps(const std::string& text) {
 
 void set_channels(const std::string& list, ImageSettings& image) {
   static const std::vector<std::string_view> later = {"N", "P", "velocity", "object_id", "coverage"};
-  image.color = image.depth = false;
+  image.channels = {};
   std::string_view rest = list;
   while (true) {
     const std::size_t comma = rest.find(',');
     const std::string_view name = rest.substr(0, comma);
     if (name == "RGBA") {
-      image.color = true;
+      image.channels.insert(Channel::color);
     } else if (name == "Z") {
-      image.depth = true;
+      image.channels.insert(Channel::depth);
     } else {
       const bool known = std::find(later.begin(), later.end(), name) != later.end();
       throw Error(
@@ -106,7 +106,7 @@ void set_channels(const std::string& list, ImageSettings& image) {
     if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
-  if (!image.depth) image.z_error = 0;
+  if (!image.has_depth()) image.z_error = 0;
 }
 
 void set_z_error(const std::string& text, ImageSettings& image) {
@@ -116,7 +116,7 @@ void set_z_error(const std::string& text, ImageSettings& image) {
     throw Error(ErrorKind::usage, "--z-error",
                 fmt::format("'{}' is no relative error of Z; a number above 0 and of at most {}, such as 1e-6", text,
                             max_relative_error));
-  if (!image.depth)
+  if (!image.has_depth())
     throw Error(ErrorKind::usage, "--z-error", "is of channel Z, which is not among the channels; --channels RGBA,Z");
   image.z_error = error;
 }

@@ -34,7 +34,7 @@ void check_options_of_format(const RenderOptions& options, FrameFormat format) {
   if (options.preview) refuse("--preview", "is a PNG beside each EXR frame, and these are PNG frames; leave it out");
   ImageSettings asked;
   if (options.scene.channels) set_channels(*options.scene.channels, asked);
-  if (options.scene.channels && asked.depth)
+  if (options.scene.channels && asked.has_depth())
     refuse("--channels", "PNG frames hold RGBA alone; --channels RGBA, or an output that ends in .exr");
 }
 
@@ -56,8 +56,8 @@ int render_command(const RenderOptions& options) {
 
   Scene scene = open_scene(options.scene);
   // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
-  if (format == FrameFormat::png && scene.image.color) {
-    scene.image.depth = false;
+  if (format == FrameFormat::png && scene.image.has_color()) {
+    scene.image.channels.erase(Channel::depth);
     scene.image.z_error = 0;
   }
   if (ranges) scene.frames = *ranges;

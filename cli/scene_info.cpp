@@ -75,8 +75,8 @@ std::string part_text(const ModelPart& part) {
 }
 
 std::string image_text(const ImageSettings& image) {
-  std::string text = fmt::format("{}x{}, {}{}, {}", image.width, image.height, image.color ? "RGBA " : "",
-                                 image.depth ? "Z" : "", image.compression);
+  std::string text = fmt::format("{}x{}, {}{}, {}", image.width, image.height, image.has_color() ? "RGBA " : "",
+                                 image.has_depth() ? "Z" : "", image.compression);
   if (image.z_error != 0) text += fmt::format(", Z within {} of itself", image.z_error);
   return text;
 }

@@ -20,7 +20,7 @@ int warm_command(const DeviceOptions& options) {
   // What the auto renderer lets draw is the default device.
   const OpenedRenderer opened = open_renderer({options.device == auto_name ? "" : options.device, options.threads});
   for (const Scene& scene : warm_scenes()) {
-    FrameBuffer frame(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
+    FrameBuffer frame(scene.image.width, scene.image.height, scene.image.channels);
     opened.renderer->render(plan_frame(scene, 0), frame);
   }
   opened.store_programs();

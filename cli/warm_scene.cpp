@@ -38,8 +38,8 @@ Scene scene_with(const Projection& projection, Reach reach, Channels channels, c
   Scene scene;
   scene.name = "warm";
   scene.image.width = scene.image.height = side;
-  scene.image.color = channels.color;
-  scene.image.depth = channels.depth;
+  scene.image.channels.set(Channel::color, channels.color);
+  scene.image.channels.set(Channel::depth, channels.depth);
   scene.meshes = {small_mesh(reach)};
   scene.timeline.nodes = {Node{}};
   scene.timeline.camera.projection = projection;

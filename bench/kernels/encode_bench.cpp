@@ -80,18 +80,18 @@ Picture make_picture(std::string name, std::unique_ptr<FrameBuffer> frame) {
   return picture;
 }
 
-std::unique_ptr<FrameBuffer> draw(Renderer& renderer, const std::string& scene_name, bool depth) {
+std::unique_ptr<FrameBuffer> draw(Renderer& renderer, const std::string& scene_name, ChannelSet channels) {
   bench::BenchScene plain = bench::make_bench_scene(scene_name, width, height, 0);
   constexpr int frames = 25;
   Scene scene = bench::morphcl_scene(plain, frames);
-  scene.image.depth = depth;
-  auto frame = std::make_unique<FrameBuffer>(width, height, true, depth);
+  scene.image.channels = channels;
+  auto frame = std::make_unique<FrameBuffer>(width, height, channels);
   renderer.render(plan_frame(scene, frames / 2), *frame);
   return frame;
 }
 
-std::unique_ptr<FrameBuffer> noise(bool depth) {
-  auto frame = std::make_unique<FrameBuffer>(width, height, true, depth);
+std::unique_ptr<FrameBuffer> noise(ChannelSet channels) {
+  auto frame = std::make_unique<FrameBuffer>(width, height, channels);
   std::uint64_t state = 1;
   const auto next = [&state] { return (state = state * 6364136223846793005u + 1442695040888963407u) >> 33; };
   for (int y = 0; y < height; ++y) {
@@ -188,10 +188,10 @@ int main(int count, char** values) try {
   prepare_process(1);
   const std::unique_ptr<Renderer> renderer = make_device_renderer(Session::open({}));
   std::vector<Picture> pictures;
-  for (const bool depth : {false, true}) {
+  for (const ChannelSet channels : {ChannelSet{Channel::color}, default_channels}) {
     for (const char* scene : {"morph", "heavy", "many"})
-      pictures.push_back(make_picture(scene, draw(*renderer, scene, depth)));
-    pictures.push_back(make_picture("noise", noise(depth)));
+      pictures.push_back(make_picture(scene, draw(*renderer, scene, channels)));
+    pictures.push_back(make_picture("noise", noise(channels)));
   }
   for (const Picture& picture : pictures) add_steps(picture);
   auto left = static_cast<int>(arguments.size());

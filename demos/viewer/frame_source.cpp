@@ -62,10 +62,9 @@ const FrameBuffer& FrameSource::render(const View& view, const Size& size) {
   if (same_size && rendered_view_ == view) return *rendered_;
 
   rendered_view_.reset();
-  if (!same_size) rendered_ = std::make_unique<FrameBuffer>(size.width, size.height, /*color=*/true, /*depth=*/false);
+  if (!same_size) rendered_ = std::make_unique<FrameBuffer>(size.width, size.height, ChannelSet{Channel::color});
   ImageSettings color_alone = shot_image_;
-  color_alone.color = true;
-  color_alone.depth = false;
+  color_alone.channels = {Channel::color};
   show(view, size, color_alone);
 
   const auto start = std::chrono::steady_clock::now();

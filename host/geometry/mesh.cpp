@@ -50,6 +50,7 @@ void validate(const Mesh& mesh) {
   check_vertex_array(mesh, "positions", mesh.positions);
   if (!mesh.normals.empty()) check_vertex_array(mesh, "normals", mesh.normals);
   if (!mesh.colors.empty()) check_vertex_array(mesh, "colors", mesh.colors);
+  if (!mesh.uvs.empty()) check_vertex_array(mesh, "uvs", mesh.uvs);
   for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
     const MorphTarget& target = mesh.targets[t];
     const std::string prefix = fmt::format("targets[{}].", t);

@@ -39,7 +39,10 @@ FrameBuffer read_pixels(Imf::InputFile& file) {
   const bool depth = channels.findChannel(depth_channel_name) != nullptr;
   if (!color && !depth) throw Error(ErrorKind::bad_input, "", "has none of the channels R, G, B, A, Z");
   const Imath::Box2i window = file.header().dataWindow();
-  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, color, depth);
+  ChannelSet channels_of_frame;
+  channels_of_frame.set(Channel::color, color);
+  channels_of_frame.set(Channel::depth, depth);
+  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels_of_frame);
   file.setFrameBuffer(planes_of(frame, window.min.x, window.min.y));
   file.readPixels(window.min.y, window.max.y);
   return frame;

@@ -60,8 +60,7 @@ void replace_hash(std::vector<char>& bytes, const std::string& old_hash, const s
 
 std::string encode_exr(std::vector<char>& bytes, const FrameBuffer& frame, const FrameAttributes& attributes,
                        const std::string& compression, int threads) {
-  if (!frame.has_color() && !frame.has_depth())
-    throw Error(ErrorKind::usage, "", "a frame without channels; ask for RGBA or Z");
+  if (frame.channels().empty()) throw Error(ErrorKind::usage, "", "a frame without channels; ask for RGBA or Z");
   const Imf::Compression method = exr_compression(compression);
   const std::string hash = pixel_hash(frame);
   try {

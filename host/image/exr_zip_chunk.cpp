@@ -16,9 +16,7 @@ static_assert(FrameBuffer::block_side == zip_chunk_lines, "a chunk is a row of b
 }  // namespace
 
 std::size_t line_bytes(const FrameBuffer& frame) {
-  const std::size_t pixel_bytes =
-      (frame.has_color() ? 4 * sizeof(std::uint16_t) : 0) + (frame.has_depth() ? sizeof(float) : 0);
-  return static_cast<std::size_t>(frame.width()) * pixel_bytes;
+  return static_cast<std::size_t>(frame.width()) * pixel_bytes(frame.channels());
 }
 
 void ExrZipChunks::begin(const FrameBuffer& frame) {

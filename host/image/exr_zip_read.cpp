@@ -20,12 +20,8 @@ namespace morphcl {
 
 namespace {
 
-struct FrameChannels {
-  bool color, depth;
-};
-
 // Nothing for other channels than R, G, B, A as half and Z as float.
-std::optional<FrameChannels> frame_channels(const Imf::ChannelList& channels) {
+std::optional<ChannelSet> frame_channels(const Imf::ChannelList& channels) {
   int color = 0, depth = 0, all = 0;
   for (auto i = channels.begin(); i != channels.end(); ++i, ++all) {
     const std::string_view name = i.name();
@@ -37,7 +33,10 @@ std::optional<FrameChannels> frame_channels(const Imf::ChannelList& channels) {
       depth += channel.type == Imf::FLOAT;
   }
   if (all == 0 || all != color + depth || (color != 0 && color != 4)) return std::nullopt;
-  return FrameChannels{color == 4, depth == 1};
+  ChannelSet found;
+  found.set(Channel::color, color == 4);
+  found.set(Channel::depth, depth == 1);
+  return found;
 }
 
 // For one thread; its memory is kept from file to file.
@@ -109,9 +108,9 @@ class ChunkReader {
   std::vector<std::uint8_t> prepared_;
 };
 
-std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& window, FrameChannels channels) {
+std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& window, ChannelSet channels) {
   thread_local ChunkReader reader;
-  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels.color, channels.depth);
+  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels);
   const int chunks = (frame.height() + zip_chunk_lines - 1) / zip_chunk_lines;
   std::vector<std::uint64_t> offsets(static_cast<std::size_t>(chunks));
   input.read(reinterpret_cast<char*>(offsets.data()), chunks * static_cast<int>(sizeof offsets[0]));
@@ -127,7 +126,7 @@ std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& wi
 std::optional<FrameBuffer> read_exr_zip(SizedInput& input, const Imf::Header& header) {
   try {
     if (header.compression() != Imf::ZIP_COMPRESSION || header.lineOrder() != Imf::INCREASING_Y) return std::nullopt;
-    const std::optional<FrameChannels> channels = frame_channels(header.channels());
+    const std::optional<ChannelSet> channels = frame_channels(header.channels());
     if (!channels) return std::nullopt;
     return read_chunks(input, header.dataWindow(), *channels);
   } catch (const Iex::BaseExc&) {

@@ -44,8 +44,8 @@ std::unique_ptr<std::byte[], FrameBuffer::Unmap> FrameBuffer::map_memory(std::si
   return std::unique_ptr<std::byte[], Unmap>(static_cast<std::byte*>(memory), Unmap{mapped});
 }
 
-FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
-    : width_(width), height_(height), has_color_(color), has_depth_(depth) {
+FrameBuffer::FrameBuffer(int width, int height, ChannelSet channels)
+    : width_(width), height_(height), channels_(channels) {
   if (width < 1 || height < 1 || width > max_side || height > max_side)
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("an image of {} x {} pixels; 1 to {} a side are possible", width, height, max_side));
@@ -53,7 +53,11 @@ FrameBuffer::FrameBuffer(int width, int height, bool color, bool depth)
   tiles_x_ = tiles(width);
   tiles_y_ = tiles(height);
   constexpr std::size_t cache_line = 64;
-  row_bytes_ = notes_offset() + round_up(static_cast<std::size_t>(tiles_x_) * sizeof(std::uint32_t), cache_line);
+  for (const Channel channel : channels) {
+    offsets_[static_cast<std::size_t>(channel)] = notes_offset_;
+    notes_offset_ += padded_width() * pixel_bytes(channel);
+  }
+  row_bytes_ = notes_offset_ + round_up(static_cast<std::size_t>(tiles_x_) * sizeof(std::uint32_t), cache_line);
   memory_ = map_memory(bytes());
 }
 
@@ -61,9 +65,10 @@ RawFrame::RawFrame(FrameBuffer& frame)
     : data(frame.memory_.get()),
       row_bytes(frame.row_bytes_),
       bytes(frame.bytes()),
-      color_offset{frame.color_offset(0), frame.color_offset(1), frame.color_offset(2), frame.color_offset(3)},
-      depth_offset(frame.depth_offset()),
-      notes_offset(frame.notes_offset()),
+      notes_offset(frame.notes_offset_),
+      channels(frame.channels_),
+      padded_width(frame.padded_width()),
+      offsets(frame.offsets_),
       notes_hold(frame.any_blank_) {
   frame.any_blank_ = true;
   // A renderer that fails before it has drawn leaves notes that are true: nothing is known to be blank.

@@ -56,8 +56,8 @@ PngFrame read_png_frame(SizedInput& input) {
                               "interlaced, up to {} pixels a side can be read",
                               picture.color, picture.bits, picture.interlaced ? ", interlaced" : "", picture.width,
                               picture.height, FrameBuffer::max_side));
-    frame =
-        std::make_unique<FrameBuffer>(static_cast<int>(picture.width), static_cast<int>(picture.height), true, false);
+    frame = std::make_unique<FrameBuffer>(static_cast<int>(picture.width), static_cast<int>(picture.height),
+                                          ChannelSet{Channel::color});
     return true;
   };
   visitor.line = [&frame](int y, std::span<const std::uint8_t> line) {

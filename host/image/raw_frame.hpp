@@ -18,11 +18,18 @@ struct RawFrame {
     return reinterpret_cast<std::uint32_t*>(row + notes_offset)[tile_x];
   }
 
+  std::size_t plane_offset(Channel channel, int plane) const {
+    return offsets[static_cast<std::size_t>(channel)] +
+           static_cast<std::size_t>(plane) * padded_width * bytes_of(plane_type(channel));
+  }
+
   std::byte* data;        // this and what follows as FrameBuffer has it
   std::size_t row_bytes;  // FrameBuffer::tile_side times this is a multiple of a page
   std::size_t bytes;
-  std::size_t color_offset[4], depth_offset;  // of channels that the frame lacks: without meaning
   std::size_t notes_offset;
+  ChannelSet channels;
+  std::size_t padded_width;                        // pixels: a row of a plane
+  std::array<std::size_t, channel_count> offsets;  // of each channel's first plane; 0 of one that the frame lacks
   bool notes_hold;  // false: the notes are void, others may have written to the frame since they were made
 };
 

@@ -15,7 +15,8 @@ void round_depth(FrameBuffer& frame, double relative_error) {
   for (int y = 0; y < frame.height(); ++y) {
     constexpr int side = FrameBuffer::block_side;
     if (y % side == 0) find_spans(spans, frame, y / side);
-    std::byte* const row = memory.data + static_cast<std::size_t>(y) * memory.row_bytes + memory.depth_offset;
+    std::byte* const row =
+        memory.data + static_cast<std::size_t>(y) * memory.row_bytes + memory.plane_offset(Channel::depth, 0);
     for (const PixelSpan& span : spans)
       if (!span.blank)
         round_mantissas({reinterpret_cast<float*>(row) + span.first, span.count}, bits, background_depth);

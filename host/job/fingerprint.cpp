@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "host/image/pixel_hash.hpp"
+#include "host/scene/model/material_list.hpp"
 #include "morphcl/version.hpp"
 
 namespace morphcl {
@@ -114,36 +115,50 @@ class SceneHasher {
     add_all(form, positions, normals, colors);
   }
   void add(const Mesh& mesh) {
-    const auto& [name, positions, normals, colors, triangles, edges, targets] = mesh;
+    const auto& [name, positions, normals, colors, uvs, triangles, edges, targets] = mesh;
     add_all(positions, normals, colors, triangles, edges, targets);
+    if (asked_for_.contains(Channel::uv)) add_all(std::string_view("uvs"), uvs);
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
-    const auto& [base_color, shading, double_sided, line_width] = material;
+    const auto& [base_color, shading, double_sided, line_width, own_name] = material;
     add_all(mesh, node, base_color, shading, double_sided, morph);
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, color, depth, compression, depth_format, background, samples, z_error] = image;
-    add_all(width, height, color, depth, std::string_view(compression), depth_format, background.has_value());
+    const auto& [width, height, channels, compression, depth_format, background, samples, z_error] = image;
+    add_all(width, height, image.has_color(), image.has_depth(), std::string_view(compression), depth_format,
+            background.has_value());
     if (background) add_all(background->top, background->bottom);
     // Only what differs from the default, and by name, so that files of earlier versions stay valid.
     if (samples != 1) add_all(std::string_view("samples"), samples);
     if (z_error != 0) add_all(std::string_view("z_error"), z_error);
+    for (const Channel channel : channels - default_channels) add(name_of(channel));
   }
   void add(const Scene& scene) {
     const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,
                  inputs] = scene;
+    asked_for_ = image.channels;
     add_all(meshes, objects, timeline, image, accuracy_pixels, std::string_view(content_hash));
+    add_names(scene);
   }
 
  private:
+  // Those that channels show.
+  void add_names(const Scene& scene) {
+    if (asked_for_.contains(Channel::crypto_object))
+      for (const Object& object : scene.objects) add(std::string_view(object.name));
+    if (!(asked_for_ & ChannelSet{Channel::material_id, Channel::crypto_material}).empty())
+      for (const Object& object : scene.objects) add(std::string_view(material_name(object)));
+  }
+
   template <class Value>
   static constexpr bool packed =
-      std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec3> || std::is_same_v<Value, glm::vec4> ||
-      std::is_same_v<Value, glm::uvec2> || std::is_same_v<Value, glm::uvec3>;
+      std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec2> || std::is_same_v<Value, glm::vec3> ||
+      std::is_same_v<Value, glm::vec4> || std::is_same_v<Value, glm::uvec2> || std::is_same_v<Value, glm::uvec3>;
 
   PixelHasher hasher_;
+  ChannelSet asked_for_;
 };
 
 }  // namespace

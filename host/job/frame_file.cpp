@@ -35,7 +35,7 @@ FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
   if (format_ == FrameFormat::exr && sample_bits_ != 8)
     throw Error(ErrorKind::usage, "", "PNG bits for EXR frames; end the output in .png, or leave them at 8");
   if (format_ == FrameFormat::exr) return;
-  if (!image.color)
+  if (!image.has_color())
     throw Error(
         ErrorKind::usage, "",
         "PNG frames hold RGBA alone, and this job has no RGBA; add it to the channels, or end the output in .exr");

@@ -30,7 +30,7 @@ void check_settings(const RenderJob& job, const ImageSettings& image, const Fram
     throw Error(ErrorKind::usage, "",
                 fmt::format("{} frames for the one file '{}'; put #### where the frame number belongs",
                             job.frames.size(), job.pattern));
-  if ((job.preview || !job.contact_sheet.empty()) && !image.color)
+  if ((job.preview || !job.contact_sheet.empty()) && !image.has_color())
     throw Error(ErrorKind::usage, "", "pictures show colour, and this job has none; add RGBA to the channels");
 }
 

@@ -19,8 +19,7 @@ struct JobCosts {
 
   JobCosts(const RenderJob& job, const ImageSettings& image, const Renderer::Memory& drawing) {
     const std::uint64_t pixels = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-    const std::uint64_t frame =
-        pixels * ((image.color ? 4 * sizeof(std::uint16_t) : 0) + (image.depth ? sizeof(float) : 0));
+    const std::uint64_t frame = pixels * pixel_bytes(image.channels);
     const std::uint64_t file = image.compression == "none" ? frame : frame / 2;
     const std::uint64_t pictures = job.preview || !job.contact_sheet.empty() ? 6 * pixels : 0;  // colours and PNG
     const std::uint64_t samples = image.samples > 1 ? static_cast<std::uint64_t>(image.samples) : 0;

@@ -131,8 +131,7 @@ void JobRun::render(const std::vector<std::int64_t>& frames) {
   // Frames side by side keep all threads busy; a single one needs them all.
   const int encoding_threads = frames.size() == 1 ? thread_count(job_) : 1;
   WriteQueue queue(
-      limits_.queue,
-      [&image] { return std::make_unique<FrameBuffer>(image.width, image.height, image.color, image.depth); },
+      limits_.queue, [&image] { return std::make_unique<FrameBuffer>(image.width, image.height, image.channels); },
       [this, encoding_threads](FrameTask& task, const WriteQueue::ReleasePixels& release) {
         write(task, encoding_threads, release);
       });

@@ -1,6 +1,7 @@
 // A rendered frame in memory, its pixel hash, and its colours as plain arrays for whoever goes on with them elsewhere.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,19 +10,21 @@
 #include <string>
 #include <vector>
 
+#include "morphcl/channel.hpp"
+
 #pragma GCC visibility push(default)
 namespace morphcl {
 
 constexpr float background_depth = 1e10f;  // Z where nothing is drawn
 
-// A frame: half R, G, B, A and float Z, row after row from the top.
+// A frame: the planes of its channels (channel.hpp), row after row from the top.
 //
-// One piece of memory holds the whole frame. A row of the picture is a row of each channel, one after the other, as in
-// a scan line of an EXR file: R, G, B, A, then Z, of which those that were not asked for are left out. The next row
-// starts row_bytes() further on. What lies in a row behind a channel's width() elements is padding without meaning, as
-// are rows below the picture: both are rounded up to whole tiles (64 pixels). Every row of every channel starts on a
-// cache line (64 bytes), and the frame on a page, so that OpenCL can use it in place. Every element is 0 until it is
-// written, and memory is only taken where something was written.
+// One piece of memory holds the whole frame. A row of the picture is a row of each plane, one after the other, as in a
+// scan line of an EXR file, in the order of Channel: R, G, B, A, Z, N.X and so on, of which those that were not asked
+// for are left out. The next row starts row_bytes() further on. What lies in a row behind a plane's width() elements is
+// padding without meaning, as are rows below the picture: both are rounded up to whole tiles (64 pixels). Every row of
+// every plane starts on a cache line (64 bytes), and the frame on a page, so that OpenCL can use it in place. Every
+// element is 0 until it is written, and memory is only taken where something was written.
 //
 // The frame knows which of its tiles are blank (background everywhere), so that a renderer need not write them again
 // and an encoder need not look at them.
@@ -29,36 +32,48 @@ class FrameBuffer {
  public:
   static constexpr std::size_t tile_side = 64, block_side = 16;  // pixels
 
-  // Pixels a side. A channel of the largest frame holds 2^30 elements.
+  // Pixels a side. A plane of the largest frame holds 2^30 elements.
   static constexpr int max_side = 32768;
 
   // Error(bad_input) for a side outside 1..max_side, Error(internal) when the memory cannot be had.
-  FrameBuffer(int width, int height, bool color, bool depth);
+  FrameBuffer(int width, int height, ChannelSet channels);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  bool has_color() const { return has_color_; }
-  bool has_depth() const { return has_depth_; }
+  ChannelSet channels() const { return channels_; }
+  bool has(Channel channel) const { return channels_.contains(channel); }
+  bool has_color() const { return has(Channel::color); }
+  bool has_depth() const { return has(Channel::depth); }
 
-  // The width() pixels of row y (0..height() - 1, 0 at the top) in one channel: 0 R, 1 G, 2 B, 3 A; the bits of IEEE
-  // binary16, linear light. Colour is premultiplied by alpha. Empty when the frame has no colour. A frame that
-  // is not const forgets here which of its tiles are blank, as the caller may write.
-  std::span<std::uint16_t> color_row(int channel, int y) {
-    forget_blank_tiles();
-    return row<std::uint16_t>(has_color_, y, color_offset(channel));
+  // The width() pixels of row y (0..height() - 1, 0 at the top) in one plane of a channel (0 .. plane_count(channel) -
+  // 1), which has that type: the bits of IEEE binary16, binary32, whole numbers. Empty when the frame does not have the
+  // channel. A frame that is not const forgets here which of its tiles are blank, as the caller may write.
+  std::span<std::uint16_t> half_row(Channel channel, int plane, int y) {
+    return writable_row<std::uint16_t>(channel, plane, y);
   }
-  std::span<const std::uint16_t> color_row(int channel, int y) const {
-    return row<std::uint16_t>(has_color_, y, color_offset(channel));
+  std::span<const std::uint16_t> half_row(Channel channel, int plane, int y) const {
+    return row<const std::uint16_t>(channel, plane, y);
   }
-  // The same of the positive distance along the view axis; background_depth where nothing is drawn, infinity where a
-  // depth buffer other than the default holds a far plane at infinity.
-  std::span<float> depth_row(int y) {
-    forget_blank_tiles();
-    return row<float>(has_depth_, y, depth_offset());
+  std::span<float> float_row(Channel channel, int plane, int y) { return writable_row<float>(channel, plane, y); }
+  std::span<const float> float_row(Channel channel, int plane, int y) const {
+    return row<const float>(channel, plane, y);
   }
-  std::span<const float> depth_row(int y) const { return row<float>(has_depth_, y, depth_offset()); }
+  std::span<std::uint32_t> uint_row(Channel channel, int plane, int y) {
+    return writable_row<std::uint32_t>(channel, plane, y);
+  }
+  std::span<const std::uint32_t> uint_row(Channel channel, int plane, int y) const {
+    return row<const std::uint32_t>(channel, plane, y);
+  }
 
-  // The memory itself: pixel (x, y) of a channel is at byte y * row_bytes() + its offset + x * its element's size.
+  // Colour: 0 R, 1 G, 2 B, 3 A; linear light, premultiplied by alpha.
+  std::span<std::uint16_t> color_row(int plane, int y) { return half_row(Channel::color, plane, y); }
+  std::span<const std::uint16_t> color_row(int plane, int y) const { return half_row(Channel::color, plane, y); }
+  // The positive distance along the view axis; background_depth where nothing is drawn, infinity where a depth buffer
+  // other than the default holds a far plane at infinity.
+  std::span<float> depth_row(int y) { return float_row(Channel::depth, 0, y); }
+  std::span<const float> depth_row(int y) const { return float_row(Channel::depth, 0, y); }
+
+  // The memory itself: pixel (x, y) of a plane is at byte y * row_bytes() + its offset + x * its element's size.
   // bytes() counts the padding, of rows below the picture too.
   std::byte* data() {
     forget_blank_tiles();
@@ -67,13 +82,14 @@ class FrameBuffer {
   const std::byte* data() const { return memory_.get(); }
   std::size_t row_bytes() const { return row_bytes_; }
   std::size_t bytes() const { return row_bytes_ * padded_rows(); }
-  std::size_t color_offset(int channel) const {
-    return static_cast<std::size_t>(channel) * padded_width() * sizeof(std::uint16_t);
+  // From the start of a row; of a channel that the frame has.
+  std::size_t plane_offset(Channel channel, int plane) const {
+    return offsets_[static_cast<std::size_t>(channel)] +
+           static_cast<std::size_t>(plane) * padded_width() * bytes_of(plane_type(channel));
   }
-  std::size_t depth_offset() const { return has_color_ ? color_offset(4) : 0; }
 
-  // Tiles of 64 x 64 pixels, from (0, 0) at the upper left. blank(...): known to hold 0 in every colour channel and the
-  // background's depth.
+  // Tiles of 64 x 64 pixels, from (0, 0) at the upper left. blank(...): known to hold the background in every channel:
+  // Z is background_depth, all others are 0.
   int tiles_x() const { return tiles_x_; }
   int tiles_y() const { return tiles_y_; }
   bool blank(int tile_x, int tile_y) const { return any_blank_ && note(tile_x, tile_y) == all_blocks; }
@@ -92,26 +108,31 @@ class FrameBuffer {
   std::size_t padded_width() const { return static_cast<std::size_t>(tiles_x_) * tile_side; }
   std::size_t padded_rows() const { return static_cast<std::size_t>(tiles_y_) * tile_side; }
   template <class T>
-  std::span<T> row(bool exists, int y, std::size_t offset) const {
-    if (!exists) return {};
-    std::byte* const first = memory_.get() + static_cast<std::size_t>(y) * row_bytes_ + offset;
+  std::span<T> row(Channel channel, int plane, int y) const {
+    if (!has(channel)) return {};
+    std::byte* const first = memory_.get() + static_cast<std::size_t>(y) * row_bytes_ + plane_offset(channel, plane);
     return {reinterpret_cast<T*>(first), static_cast<std::size_t>(width_)};
+  }
+  template <class T>
+  std::span<T> writable_row(Channel channel, int plane, int y) {
+    forget_blank_tiles();
+    return row<T>(channel, plane, y);
   }
   struct Unmap {
     std::size_t bytes;
     void operator()(void* memory) const;
   };
-  // Notes about blank blocks stand behind the channels.
-  std::size_t notes_offset() const { return depth_offset() + (has_depth_ ? padded_width() * sizeof(float) : 0); }
   std::uint32_t note(int tile_x, int tile_y) const {
     const std::byte* const row = memory_.get() + static_cast<std::size_t>(tile_y) * tile_side * row_bytes_;
-    return reinterpret_cast<const std::uint32_t*>(row + notes_offset())[tile_x];
+    return reinterpret_cast<const std::uint32_t*>(row + notes_offset_)[tile_x];
   }
   static std::unique_ptr<std::byte[], Unmap> map_memory(std::size_t bytes);
 
   int width_, height_;
-  bool has_color_, has_depth_;
+  ChannelSet channels_;
   int tiles_x_ = 0, tiles_y_ = 0;
+  std::array<std::size_t, channel_count> offsets_{};  // of each channel's first plane
+  std::size_t notes_offset_ = 0;                      // notes about blank blocks stand behind the planes
   std::size_t row_bytes_ = 0;
   std::unique_ptr<std::byte[], Unmap> memory_;
   bool any_blank_ = false;  // false: the notes are void

@@ -27,6 +27,7 @@ struct Mesh {
   std::vector<glm::vec3> positions;   // at least one; all finite
   std::vector<glm::vec3> normals;     // one a vertex, unit length, or empty: faces are lit flat
   std::vector<glm::vec4> colors;      // one a vertex, linear RGBA, clamped to [0, 1] after morphing, or empty: white
+  std::vector<glm::vec2> uvs;         // one a vertex: texture coordinates, v up (glTF's runs down, 1 - v), or empty
   std::vector<glm::uvec3> triangles;  // indices of vertices, counter-clockwise seen from outside
   std::vector<glm::uvec2>
       edges;  // indices of vertices: what wireframe draws; empty: the distinct edges of the triangles

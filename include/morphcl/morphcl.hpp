@@ -13,6 +13,7 @@
 #include "morphcl/animated_transform.hpp"
 #include "morphcl/batch.hpp"
 #include "morphcl/camera.hpp"
+#include "morphcl/channel.hpp"
 #include "morphcl/convention.hpp"
 #include "morphcl/depth_format.hpp"
 #include "morphcl/error.hpp"

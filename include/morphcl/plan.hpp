@@ -21,8 +21,7 @@ class Plan {
   std::int64_t frame() const;
   int width() const;  // pixels
   int height() const;
-  bool has_color() const;
-  bool has_depth() const;
+  ChannelSet channels() const;
 
   // A frame to draw it into; one frame does for all plans of a scene.
   FrameBuffer make_frame() const;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "morphcl/channel.hpp"
 #include "morphcl/depth_format.hpp"
 #include "morphcl/mesh.hpp"
 #include "morphcl/timeline.hpp"
@@ -49,6 +50,7 @@ struct Material {
   Shading shading = Shading::smooth;          // smooth on a mesh without normals: each face has its own, lit per pixel
   bool double_sided = false;                  // false: back faces are culled; true: drawn, and lit from their side
   double line_width = 1;                      // of wireframe, pixels, more than 0 to max_line_width
+  std::string name = {};                      // "": the object's; materials of one name are one (material_names())
 };
 constexpr double max_line_width = 256;
 
@@ -74,15 +76,17 @@ constexpr std::array<int, 5> sample_counts = {1, 2, 4, 8, 16};
 
 struct ImageSettings {
   int width = 1920, height = 1080;                         // pixels, 1 to max_image_size
-  bool color = true;                                       // channels R, G, B, A as half
-  bool depth = true;                                       // channel Z as float; one of the two at least
+  ChannelSet channels = default_channels;                  // at least one
   std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
   std::optional<Background> background = std::nullopt;     // with alpha 1; none: colour and alpha are 0 there
   int samples = 1;  // a pixel, of sample_counts: its colour and alpha are their mean. Z is that of the pixel's centre
   // The relative error of Z that EXR files may have, so that they are smaller (round_depth() in frame.hpp); 0: none.
-  // At most max_relative_error (numerics.hpp), and only beside `depth`. Renderers draw Z as it is.
+  // At most max_relative_error (numerics.hpp), and only beside Z. Renderers draw Z as it is.
   double z_error = 0;
+
+  bool has_color() const { return channels.contains(Channel::color); }
+  bool has_depth() const { return channels.contains(Channel::depth); }
 };
 
 // Something of which a model file may hold several; one is used. Animations that move different things are used
@@ -123,6 +127,10 @@ struct Scene {
   // target overrides an earlier one.
   void morph(int object, std::string_view target, Track track);
 };
+
+// The distinct names of the objects' materials, in the order of their first use: material_id i + 1 is the i-th of them.
+// A material without a name has its object's.
+std::vector<std::string> material_names(const Scene& scene);
 
 // Checks everything that renderers rely on: indices, one weight a target, finite values. Error(bad_input) with the
 // place; Error(usage) for `frames`, as frame_numbers() has it. A planner does it once, when it takes the scene;

@@ -205,7 +205,7 @@ CoverageError& CoverageError::operator+=(const CoverageError& other) {
 }
 
 Scene scene_for_coverage(Scene scene) {
-  scene.image.color = true;
+  scene.image.channels.insert(Channel::color);
   scene.image.samples = sample_counts.back();
   return scene;
 }

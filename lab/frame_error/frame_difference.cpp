@@ -77,8 +77,8 @@ class Comparison {
     }
     result_.mask[at] = static_cast<float>(kind);
     const bool same = kind == PixelDifference::none;
-    if (plan_.color) compare_color(x, y, at, exact, shown, same ? &object : nullptr);
-    if (plan_.depth) compare_depth(x, y, at, exact, shown, same ? &object : nullptr);
+    if (plan_.has_color()) compare_color(x, y, at, exact, shown, same ? &object : nullptr);
+    if (plan_.has_depth()) compare_depth(x, y, at, exact, shown, same ? &object : nullptr);
   }
 
   // How much farther, relative, what is shown lies than what is nearest in truth; nothing where it is not depth that
@@ -185,8 +185,8 @@ FrameDifference compare_with_fp64(const Scene& scene, const FramePlan& plan, con
        {&result.red, &result.green, &result.blue, &result.alpha, &result.depth, &result.mask})
     plane->resize(size);
   result.shown.resize(size);
-  result.has_color = plan.color;
-  result.has_depth = plan.depth;
+  result.has_color = plan.has_color();
+  result.has_depth = plan.has_depth();
   if (truth == Truth::on_grid)
     Comparison<OnGrid<double>>(scene, plan, pixels, shown, result).run();
   else

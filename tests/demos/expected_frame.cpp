@@ -37,7 +37,7 @@ Scene demo_scene(const std::string& shot, int width, int height) {
 }
 
 FrameBuffer expected_frame(const Scene& scene, std::int64_t frame) {
-  FrameBuffer buffer(scene.image.width, scene.image.height, scene.image.color, scene.image.depth);
+  FrameBuffer buffer(scene.image.width, scene.image.height, scene.image.channels);
   make_reference_renderer()->render(plan_frame(scene, frame), buffer);
   return buffer;
 }

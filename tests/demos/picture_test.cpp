@@ -19,7 +19,7 @@ constexpr Coded kZero{0x0000, 0}, kQuarter{0x3400, 137}, kHalf{0x3800, 188}, kOn
 TEST(Picture, EveryPixelIsTheCodeOfItsOwnColour) {
   constexpr Coded values[] = {kZero, kQuarter, kHalf, kOne, kTwo, kMinusOne, kNan};
   constexpr int width = 70, height = 5;  // the rows are padded
-  FrameBuffer frame(width, height, /*color=*/true, /*depth=*/false);
+  FrameBuffer frame(width, height, {Channel::color});
   const auto value = [&](int x, int y, int channel) { return values[(x + 3 * y + 2 * channel) % std::size(values)]; };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -44,7 +44,7 @@ TEST(Picture, EveryPixelIsTheCodeOfItsOwnColour) {
 }
 
 TEST(Picture, ShowsTheBackgroundOfPicturesWhereNothingIsDrawn) {
-  const FrameBuffer frame(3, 2, /*color=*/true, /*depth=*/false);
+  const FrameBuffer frame(3, 2, {Channel::color});
   EXPECT_EQ(picture_of(frame).at(2, 1), picture_background);
 }
 

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   may_refuse([&] { cli::set_channels(text, image); });
   may_refuse([&] { cli::set_compression(text, image); });
   may_refuse([&] { cli::set_depth_buffer(text, image); });
-  image.depth = true;
+  image.channels.insert(Channel::depth);
   may_refuse([&] {
     cli::set_z_error(text, image);
     demand(image.z_error > 0 && image.z_error <= 0.1, "an error bound in range");

@@ -108,7 +108,7 @@ TEST(AtomicFile, CheckLeavesOnlyTheFolder) {
 void expect_write_without_room_to_fail(const TemporaryFolder& folder) {
   const std::string old_file = folder / "old", frame = folder / "new.exr";
   EXPECT_EQ(kind_of_failure([&] { write_file_atomically(old_file, megabyte); }, old_file), ErrorKind::write_failed);
-  const FrameBuffer pixels = arbitrary_frame(600, 400, true, true);
+  const FrameBuffer pixels = arbitrary_frame(600, 400, {Channel::color, Channel::depth});
   EXPECT_EQ(kind_of_failure([&] { write_exr(frame, pixels, {}, "none"); }, frame), ErrorKind::write_failed);
   EXPECT_EQ(folder.names(), std::set<std::string>{"old"});
   EXPECT_EQ(bytes_of(old_file), some_bytes);

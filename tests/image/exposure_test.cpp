@@ -46,7 +46,7 @@ TEST(Exposure, OfWholeStopsHasTheCodesOfOtherHalves) {
 
 // Opaque, half transparent and clear pixels of 0.25.
 FrameBuffer quarter_frame() {
-  FrameBuffer frame(3, 1, true, false);
+  FrameBuffer frame(3, 1, {Channel::color});
   const double alphas[] = {1.0, 0.5, 0.0};
   for (int x = 0; x < 3; ++x) {
     for (int c = 0; c < 3; ++c) frame.color_row(c, 0)[x] = to_half(0.25 * alphas[x]);

@@ -22,9 +22,9 @@ namespace {
 using namespace image_test;
 using namespace test_support;
 
-Imf::Header written_header(const FrameAttributes& attributes, bool color = true, bool depth = true) {
+Imf::Header written_header(const FrameAttributes& attributes, ChannelSet channels = default_channels) {
   const TemporaryFolder folder;
-  write_exr(folder / "a.exr", disc_frame(40, 30, color, depth), attributes, "zip");
+  write_exr(folder / "a.exr", disc_frame(40, 30, channels), attributes, "zip");
   return Imf::InputFile((folder / "a.exr").c_str()).header();
 }
 
@@ -88,8 +88,8 @@ TEST(ExrAttributes, ChannelsAreHalfColourAndFloatDepth) {
     return text;
   };
   EXPECT_EQ(channels(written_header({})), "A:half B:half G:half R:half Z:float ");
-  EXPECT_EQ(channels(written_header({}, true, false)), "A:half B:half G:half R:half ");
-  EXPECT_EQ(channels(written_header({}, false, true)), "Z:float ");
+  EXPECT_EQ(channels(written_header({}, {Channel::color})), "A:half B:half G:half R:half ");
+  EXPECT_EQ(channels(written_header({}, {Channel::depth})), "Z:float ");
 }
 
 TEST(ExrAttributes, NothingElseIsStored) {

@@ -7,6 +7,7 @@
 #include "morphcl/error.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/channel_sets.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace morphcl {
@@ -27,16 +28,16 @@ FrameAttributes some_attributes() {
   return attributes;
 }
 
-using Shape = std::tuple<int, int, bool, bool>;
-const std::vector<Shape> shapes{{1, 1, true, true},   {63, 1, true, false},   {1, 300, false, true},
-                                {65, 33, true, true}, {257, 70, false, true}, {128, 64, true, false}};
+using Shape = std::tuple<int, int, ChannelSet>;
+const std::vector<Shape> shapes{{1, 1, default_channels},   {63, 1, color_alone},   {1, 300, depth_alone},
+                                {65, 33, default_channels}, {257, 70, depth_alone}, {128, 64, color_alone}};
 
 TEST(ExrRoundTrip, LosslessCompressionsKeepEveryBit) {
   const TemporaryFolder folder;
   for (const std::string& compression : lossless)
-    for (const auto& [width, height, color, depth] : shapes) {
+    for (const auto& [width, height, channels] : shapes) {
       SCOPED_TRACE(testing::Message() << compression << " " << width << " x " << height);
-      const FrameBuffer frame = arbitrary_frame(width, height, color, depth);
+      const FrameBuffer frame = arbitrary_frame(width, height, channels);
       const std::string path = folder / "frame.exr";
       const std::string hash = write_exr(path, frame, some_attributes(), compression);
       const ExrFrame read = read_exr(path);
@@ -83,7 +84,7 @@ TEST(ExrRoundTrip, UnknownCompressionIsAUsageErrorThatListsThem) {
 
 TEST(ExrRoundTrip, FrameWithoutChannelsIsRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_exr(folder / "a.exr", FrameBuffer(4, 4, false, false), {}, "zip"), Error);
+  EXPECT_THROW(write_exr(folder / "a.exr", FrameBuffer(4, 4, {}), {}, "zip"), Error);
   EXPECT_TRUE(folder.names().empty());
 }
 

@@ -16,6 +16,7 @@
 #include "host/image/exr_planes.hpp"
 #include "tests/image/exr_chunks.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/channel_sets.hpp"
 
 namespace morphcl {
 namespace {
@@ -36,11 +37,11 @@ std::optional<FrameBuffer> read_by_itself(const std::vector<char>& file, const H
   return read_exr_zip(input, header);
 }
 
-FrameBuffer read_by_library(const std::vector<char>& file, int width, int height, bool color, bool depth) {
+FrameBuffer read_by_library(const std::vector<char>& file, int width, int height, ChannelSet channels) {
   MemoryInput input(file);
   Imf::InputFile library(input, 0);
   const Imath::Box2i data = library.header().dataWindow();
-  FrameBuffer frame(width, height, color, depth);
+  FrameBuffer frame(width, height, channels);
   library.setFrameBuffer(planes_of(frame, data.min.x, data.min.y));
   library.readPixels(data.min.y, data.max.y);
   return frame;
@@ -88,16 +89,15 @@ TEST(ExrByteMerge, UndoesTheStepByStepDefinitionForEveryLength) {
 
 TEST(ExrZipRead, EveryShapeIsReadAsByTheLibrary) {
   for (const auto& [width, height] : {std::pair{1, 1}, {17, 3}, {2, 16}, {129, 65}, {1087, 49}})
-    for (const auto& [color, depth] : {std::pair{true, true}, {true, false}, {false, true}})
+    for (const ChannelSet channels : choices_of_two)
       for (const bool noise : {false, true}) {
         SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + (noise ? ", noise" : ""));
-        FrameBuffer frame =
-            noise ? arbitrary_frame(width, height, color, depth) : disc_frame(width, height, color, depth);
+        FrameBuffer frame = noise ? arbitrary_frame(width, height, channels) : disc_frame(width, height, channels);
         for (const std::vector<char>& file : {file_of(frame), file_of(frame, "zip:small"), file_by_library(frame)}) {
           const std::optional<FrameBuffer> read = read_by_itself(file);
           ASSERT_TRUE(read);
           EXPECT_EQ(difference(frame, *read), "");
-          EXPECT_EQ(difference(read_by_library(file, width, height, color, depth), *read), "");
+          EXPECT_EQ(difference(read_by_library(file, width, height, channels), *read), "");
         }
       }
 }

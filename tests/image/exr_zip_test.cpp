@@ -17,6 +17,7 @@
 #include "host/image/running_adler32.hpp"
 #include "tests/image/exr_chunks.hpp"
 #include "tests/image/test_frames.hpp"
+#include "tests/support/channel_sets.hpp"
 
 namespace morphcl {
 namespace {
@@ -25,15 +26,15 @@ using namespace image_test;
 
 struct ZipShape {
   int width, height;
-  bool color, depth;
+  ChannelSet channels;
 };
-const std::vector<ZipShape> zip_shapes{{1, 1, true, true},    {1, 1, true, false},  {1, 1, false, true},
-                                       {17, 3, true, true},   {17, 3, true, false}, {17, 3, false, true},
-                                       {129, 65, true, true}, {2, 16, true, true},  {1087, 49, true, true}};
+const std::vector<ZipShape> zip_shapes{
+    {1, 1, default_channels},    {1, 1, color_alone},       {1, 1, depth_alone},
+    {17, 3, default_channels},   {17, 3, color_alone},      {17, 3, depth_alone},
+    {129, 65, default_channels}, {2, 16, default_channels}, {1087, 49, default_channels}};
 
 std::string name_of(const ZipShape& shape) {
-  return std::to_string(shape.width) + " x " + std::to_string(shape.height) + (shape.color ? " RGBA" : "") +
-         (shape.depth ? " Z" : "");
+  return std::to_string(shape.width) + " x " + std::to_string(shape.height) + " " + names_of(shape.channels);
 }
 
 int chunk_count(const FrameBuffer& frame) { return (frame.height() + 15) / 16; }
@@ -140,7 +141,7 @@ TEST(RunningAdler32, OfBytesByTurnsIsThatOfTheBytes) {
 TEST(ExrZip, HeaderAndPreparedBytesAreTheLibrarys) {
   for (const ZipShape& shape : zip_shapes) {
     SCOPED_TRACE(name_of(shape));
-    FrameBuffer frame = disc_frame(shape.width, shape.height, shape.color, shape.depth);
+    FrameBuffer frame = disc_frame(shape.width, shape.height, shape.channels);
     const int count = chunk_count(frame);
     const ExrChunks theirs = chunks_of(library_file(frame), count);
     for (const ZlibEffort effort : {ZlibEffort::fast, ZlibEffort::small}) {
@@ -166,15 +167,15 @@ TEST(ExrZip, EveryShapeComesBackBitForBit) {
     for (const ZlibEffort effort : {ZlibEffort::fast, ZlibEffort::small}) {
       SCOPED_TRACE(name_of(shape));
       for (const bool noise : {false, true}) {
-        const FrameBuffer frame = noise ? arbitrary_frame(shape.width, shape.height, shape.color, shape.depth)
-                                        : disc_frame(shape.width, shape.height, shape.color, shape.depth);
+        const FrameBuffer frame = noise ? arbitrary_frame(shape.width, shape.height, shape.channels)
+                                        : disc_frame(shape.width, shape.height, shape.channels);
         EXPECT_EQ(difference(frame, decode_exr(our_file(frame, effort)).frame), "");
       }
     }
 }
 
 TEST(ExrZip, NoiseIsStoredAsItIs) {
-  const FrameBuffer frame = arbitrary_frame(200, 40, true, true);
+  const FrameBuffer frame = arbitrary_frame(200, 40, {Channel::color, Channel::depth});
   const ExrChunks ours = chunks_of(our_file(frame), 3);
   EXPECT_EQ(ours.chunks[0].data.size(), 200u * 12 * 16);
   EXPECT_EQ(ours.chunks[2].data.size(), 200u * 12 * 8);
@@ -199,7 +200,7 @@ TEST(ExrZip, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
 }
 
 TEST(ExrZip, WideRunsOfBlankBlocksAreWhole) {
-  FrameBuffer marked(2600, 20, true, true), plain(2600, 20, true, true);
+  FrameBuffer marked(2600, 20, {Channel::color, Channel::depth}), plain(2600, 20, {Channel::color, Channel::depth});
   for (int x = 0; x < (2600 + 15) / 16; ++x)
     for (const int y : {0, 1}) make_blank(marked, x, y, 0x3c01);
   for (int y = 0; y < plain.height(); ++y) std::ranges::fill(plain.depth_row(y), background_depth);
@@ -209,7 +210,7 @@ TEST(ExrZip, WideRunsOfBlankBlocksAreWhole) {
 // Chunks that equal the one before are copied; one that only looks alike is not.
 TEST(ExrZip, RepeatedChunksAreTheirOwnPixels) {
   for (const bool noise : {false, true}) {
-    FrameBuffer frame = noise ? arbitrary_frame(100, 104, true, true) : disc_frame(100, 104);
+    FrameBuffer frame = noise ? arbitrary_frame(100, 104, {Channel::color, Channel::depth}) : disc_frame(100, 104);
     const auto copy_lines = [&](std::size_t from, std::size_t to, std::size_t lines) {
       const std::size_t bytes = frame.row_bytes();
       std::copy_n(frame.data() + from * bytes, lines * bytes, frame.data() + to * bytes);
@@ -229,7 +230,7 @@ TEST(ExrZip, RepeatedChunksAreTheirOwnPixels) {
 
 // A short chunk begins like the long one above it where everything is the same.
 TEST(ExrZip, ShortLastChunkIsItsOwnLength) {
-  const FrameBuffer frame(40, 40, true, true);
+  const FrameBuffer frame(40, 40, {Channel::color, Channel::depth});
   for (const ExrChunk& chunk : chunks_of(our_file(frame), 3).chunks) {
     const std::size_t bytes = line_bytes(frame) * (chunk.first_line == 32 ? 8 : 16);
     EXPECT_EQ(inflated(chunk, bytes).size(), bytes);
@@ -241,8 +242,8 @@ TEST(ExrZip, FramesOfOtherShapesFollowEachOther) {
   for (int round = 0; round < 2; ++round)
     for (const ZipShape& shape : zip_shapes) {
       SCOPED_TRACE(name_of(shape));
-      const FrameBuffer first = disc_frame(shape.width, shape.height, shape.color, shape.depth);
-      const FrameBuffer second(shape.width, shape.height, shape.color, shape.depth);
+      const FrameBuffer first = disc_frame(shape.width, shape.height, shape.channels);
+      const FrameBuffer second(shape.width, shape.height, shape.channels);
       EXPECT_EQ(difference(first, decode_exr(our_file(first)).frame), "");
       EXPECT_EQ(difference(second, decode_exr(our_file(second)).frame), "");
     }

@@ -45,7 +45,7 @@ ErrorKind kind_of_failure(const std::function<void()>& call) {
 }
 
 TEST(FramePixels, FloatsAreTheStoredValuesWithoutPadding) {
-  const FrameBuffer frame = arbitrary_frame(67, 5, true, true);
+  const FrameBuffer frame = arbitrary_frame(67, 5, {Channel::color, Channel::depth});
   const std::vector<float> pixels = to_rgba32f(frame);
   ASSERT_EQ(pixels.size(), 67u * 5 * 4);
   bool negative = false, not_a_number = false;
@@ -65,7 +65,7 @@ TEST(FramePixels, FloatsAreTheStoredValuesWithoutPadding) {
 }
 
 TEST(FramePixels, CodesOfOpaquePixelsAreThoseOfTheirColours) {
-  FrameBuffer frame(70, 3, true, false);
+  FrameBuffer frame(70, 3, {Channel::color});
   for (int y = 0; y < 3; ++y)
     for (std::size_t x = 0; x < 70; ++x)
       set(frame, x, y, static_cast<float>(x) / 69, static_cast<float>(y) / 2, 0.2f, 1);
@@ -102,12 +102,12 @@ TEST(FramePixels, BackgroundIsMixedInLinearLight) {
   EXPECT_EQ(pixels[1], code_of(0.125 + 0.75 * linear_of(188)));
   EXPECT_EQ(pixels[2], code_of(0.75));
   EXPECT_EQ(pixels[3], 255);
-  const std::vector<std::uint8_t> blank = to_srgb8(FrameBuffer(1, 1, true, false), background);
+  const std::vector<std::uint8_t> blank = to_srgb8(FrameBuffer(1, 1, {Channel::color}), background);
   EXPECT_EQ(blank, (std::vector<std::uint8_t>{46, 188, 255, 255}));
 }
 
 TEST(FramePixels, CodesOverTheBackgroundOfPicturesAreThoseOfPictures) {
-  const FrameBuffer frame = arbitrary_frame(67, 40, true, false);
+  const FrameBuffer frame = arbitrary_frame(67, 40, {Channel::color});
   const RgbImage picture = thumbnail(frame, {67, 40});
   const std::vector<std::uint8_t> pixels = to_srgb8(frame, picture_background);
   for (int y = 0; y < 40; ++y)
@@ -119,7 +119,7 @@ TEST(FramePixels, CodesOverTheBackgroundOfPicturesAreThoseOfPictures) {
 
 TEST(FramePixels, ValuesOutsideOfZeroToOneAreClamped) {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-  FrameBuffer frame(6, 1, true, false);
+  FrameBuffer frame(6, 1, {Channel::color});
   set(frame, 0, 0, -1, 2, infinity, 1);
   set(frame, 1, 0, nan, 0.5f, -infinity, 1);
   set(frame, 2, 0, 0.5f, 0.5f, 0.5f, 4);  // alpha is 1 before it divides
@@ -140,7 +140,7 @@ TEST(FramePixels, ValuesOutsideOfZeroToOneAreClamped) {
 }
 
 TEST(FramePixels, FrameWithoutColourIsRefused) {
-  const FrameBuffer frame(4, 4, false, true);
+  const FrameBuffer frame(4, 4, {Channel::depth});
   EXPECT_EQ(kind_of_failure([&] { to_rgba32f(frame); }), ErrorKind::usage);
   EXPECT_EQ(kind_of_failure([&] { to_srgb8(frame); }), ErrorKind::usage);
   EXPECT_EQ(kind_of_failure([&] { to_srgb8(frame, Rgb{}); }), ErrorKind::usage);

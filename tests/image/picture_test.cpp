@@ -56,7 +56,7 @@ TEST(Png, ComesBackAndIsTheSameEveryTime) {
 // 10 x 9 blocks, cut off on the right and below; rows of blocks that are blank wholly, in part and not at all. Its
 // blank blocks hold `with`.
 FrameBuffer partly_blank_frame(std::uint16_t with) {
-  FrameBuffer frame = arbitrary_frame(150, 140, true, true);
+  FrameBuffer frame = arbitrary_frame(150, 140, {Channel::color, Channel::depth});
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 10; ++x)
       if (y < 3 || y == 8 || (y % 2 == 0 && x % 3 != 0)) make_blank(frame, x, y, with);
@@ -67,9 +67,9 @@ TEST(Png, OfAFrameOverAColourIsItsPicture) {
   std::vector<FrameBuffer> frames;
   for (const auto& [width, height] : {std::pair{1, 1}, {37, 11}, {64, 16}, {129, 50}})
     for (const bool noise : {false, true})
-      frames.push_back(noise ? arbitrary_frame(width, height, true, false) : disc_frame(width, height));
+      frames.push_back(noise ? arbitrary_frame(width, height, {Channel::color}) : disc_frame(width, height));
   frames.push_back(partly_blank_frame(0x3c01));
-  frames.push_back(FrameBuffer(40, 64, true, true));
+  frames.push_back(FrameBuffer(40, 64, {Channel::color, Channel::depth}));
   const TemporaryFolder folder;
   std::vector<char> bytes;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(Png, OfAFrameOverAColourIsItsPicture) {
           << "frame " << i << ", " << stops << " stops";
     }
   }
-  EXPECT_THROW(encode_png_over(bytes, FrameBuffer(4, 4, false, true), picture_background), Error);
+  EXPECT_THROW(encode_png_over(bytes, FrameBuffer(4, 4, {Channel::depth}), picture_background), Error);
 }
 
 TEST(Thumbnail, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
@@ -154,7 +154,9 @@ TEST(Thumbnail, NansAndInfinitiesStayInTheirPixel) {
   EXPECT_EQ(image.at(1, 0), (Rgb{255, srgb8(0.5f), srgb8(0.5f)}));
 }
 
-TEST(Thumbnail, FrameWithoutColourIsRefused) { EXPECT_THROW(thumbnail(FrameBuffer(4, 4, false, true), {2, 2}), Error); }
+TEST(Thumbnail, FrameWithoutColourIsRefused) {
+  EXPECT_THROW(thumbnail(FrameBuffer(4, 4, {Channel::depth}), {2, 2}), Error);
+}
 
 std::string drawn(std::string_view text, int width) {
   RgbImage image(width, glyph_height, {0, 0, 0});
@@ -225,10 +227,10 @@ TEST(ContactSheet, MayBeFilledByManyThreads) {
     std::vector<std::jthread> threads;
     for (int t = 0; t < 4; ++t)
       threads.emplace_back([&, t] {
-        for (int frame = t; frame < 40; frame += 4) together.add(frame, arbitrary_frame(64, 36, true, false, 5));
+        for (int frame = t; frame < 40; frame += 4) together.add(frame, arbitrary_frame(64, 36, {Channel::color}, 5));
       });
   }
-  for (const std::int64_t frame : frames) alone.add(frame, arbitrary_frame(64, 36, true, false, 5));
+  for (const std::int64_t frame : frames) alone.add(frame, arbitrary_frame(64, 36, {Channel::color}, 5));
   EXPECT_EQ(together.image().pixels, alone.image().pixels);
 }
 
@@ -261,7 +263,7 @@ TEST(ContactSheet, OddFramesAreNoTrouble) {
   sheet.add(6, uniform_frame(16384, 1, 1, 1, 1, 1));  // not of the sheet
   sheet.add(5, uniform_frame(40, 4000, 1, 0, 0, 1));  // of another size
   EXPECT_GE(sheet.image().width, 480);
-  EXPECT_THROW(sheet.add(5, FrameBuffer(4, 4, false, true)), Error);
+  EXPECT_THROW(sheet.add(5, FrameBuffer(4, 4, {Channel::depth})), Error);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/image/test_frames.hpp"
+#include "tests/support/channel_sets.hpp"
 
 namespace morphcl {
 namespace {
@@ -43,7 +44,7 @@ class HashedBytes {
 };
 
 TEST(PixelHash, IsTheDocumentedFunction) {
-  const FrameBuffer frame = arbitrary_frame(67, 5, true, true);
+  const FrameBuffer frame = arbitrary_frame(67, 5, {Channel::color, Channel::depth});
   HashedBytes bytes;
   const std::pair<const char*, int> channels[] = {{"A", 3}, {"B", 2}, {"G", 1}, {"R", 0}};
   for (const auto& [name, channel] : channels) {
@@ -98,7 +99,7 @@ TEST(PixelHash, LeavesThePaddingOut) {
 
 // Background that is known to be there is not read, and has the same hash.
 TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
-  FrameBuffer plain(150, 70, true, true), marked(150, 70, true, true);
+  FrameBuffer plain(150, 70, {Channel::color, Channel::depth}), marked(150, 70, {Channel::color, Channel::depth});
   for (int y = 0; y < 70; ++y) {
     std::ranges::fill(plain.depth_row(y), background_depth);
     std::ranges::fill(marked.depth_row(y), 1.0f);  // is not looked at
@@ -118,8 +119,8 @@ TEST(PixelHash, BlankBlocksCountAsTheBackgroundThatTheyAre) {
 TEST(PixelHash, TellsChannelsAndWindowsOfTheSameValues) {
   std::set<std::string> hashes;
   for (const auto& [width, height] : {std::pair{4, 6}, {6, 4}, {24, 1}, {1, 24}, {12, 2}})
-    for (const auto& [color, depth] : {std::pair{true, false}, {false, true}, {true, true}})
-      EXPECT_TRUE(hashes.insert(pixel_hash(FrameBuffer(width, height, color, depth))).second);
+    for (const ChannelSet channels : choices_of_two)
+      EXPECT_TRUE(hashes.insert(pixel_hash(FrameBuffer(width, height, channels))).second);
 }
 
 TEST(TextHash, IsTheFunctionOfItsBytes) {
@@ -130,21 +131,19 @@ TEST(TextHash, IsTheFunctionOfItsBytes) {
 // Blank pixels are hashed without a look at their memory, many at a time: more than there are in a line, and more than
 // are taken at once.
 TEST(PixelHash, BlankBlocksAreBackgroundWhateverTheirMemoryHolds) {
-  for (const bool color : {false, true})
-    for (const bool depth : {false, true}) {
-      if (!color && !depth) continue;
-      FrameBuffer marked = disc_frame(2600, 60, color, depth), plain = disc_frame(2600, 60, color, depth);
-      for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 163; ++x)
-          if (y != 2 || x % 5 < 3) {
-            make_blank(marked, x, y, 0x3c01);
-            make_blank(plain, x, y, 0);
-          }
-      plain.data();  // nothing counts as blank any more
-      ASSERT_TRUE(marked.blank_block(162, 3));
-      ASSERT_FALSE(plain.blank_block(162, 3));
-      EXPECT_EQ(pixel_hash(marked), pixel_hash(plain)) << color << depth;
-    }
+  for (const ChannelSet channels : choices_of_two) {
+    FrameBuffer marked = disc_frame(2600, 60, channels), plain = disc_frame(2600, 60, channels);
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 163; ++x)
+        if (y != 2 || x % 5 < 3) {
+          make_blank(marked, x, y, 0x3c01);
+          make_blank(plain, x, y, 0);
+        }
+    plain.data();  // nothing counts as blank any more
+    ASSERT_TRUE(marked.blank_block(162, 3));
+    ASSERT_FALSE(plain.blank_block(162, 3));
+    EXPECT_EQ(pixel_hash(marked), pixel_hash(plain)) << names_of(channels);
+  }
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ void expect_codes_of_the_rule(const FrameBuffer& frame, int bits) {
 
 // Alpha from 0 to more than 1, colours from below 0 to brighter than white.
 FrameBuffer glassy_frame(int width, int height) {
-  FrameBuffer frame = arbitrary_frame(width, height, true, false);
+  FrameBuffer frame = arbitrary_frame(width, height, {Channel::color});
   for (int y = 0; y < height; ++y)
     for (int channel = 0; channel < 4; ++channel)
       for (std::uint16_t& bits : frame.color_row(channel, y))
@@ -145,7 +145,7 @@ TEST(PngFrames, LibpngReadsTheCodesOfTheRule) {
 
 TEST(PngFrames, HalfwayValuesGoUp) {
   // 255 12.92 (2.5 / 969) is 8.5.
-  FrameBuffer frame(1, 1, true, false);
+  FrameBuffer frame(1, 1, {Channel::color});
   frame.color_row(0, 0)[0] = half(2.5f / 1024).bits();
   frame.color_row(3, 0)[0] = half(969.0f / 1024).bits();
   EXPECT_EQ(picture_of_libpng(encoded_png(frame, 8)).samples[0], 9);
@@ -190,7 +190,7 @@ TEST(PngFrames, ADeviationIsOneOfTheTexts) {
 
 // The hash is a contract: other programs compute it.
 TEST(PngFrames, HashesAreKnown) {
-  FrameBuffer frame(2, 1, true, false);
+  FrameBuffer frame(2, 1, {Channel::color});
   frame.color_row(0, 0)[1] = half(0.5f).bits();
   frame.color_row(3, 0)[1] = half(1.0f).bits();
   EXPECT_EQ(decode_png(encoded_png(frame, 8)).description.hash, "20a45e15d54f9c9dd33d620380180b89");
@@ -200,7 +200,7 @@ TEST(PngFrames, HashesAreKnown) {
 TEST(PngFrames, PixelsOfCodesComeBack) {
   const TemporaryFolder folder;
   for (const int bits : {8, 16}) {
-    const FrameBuffer frame = disc_frame(70, 50, true, false);
+    const FrameBuffer frame = disc_frame(70, 50, {Channel::color});
     const std::string hash = write_png(folder / "a.png", frame, attributes_of_job(), bits);
     const PngFrame read = read_png(folder / "a.png");
     EXPECT_EQ(read.description.hash, hash);
@@ -233,7 +233,7 @@ TEST(PngFrames, BytesDoNotDependOnThreadsOrOnWhatCameBefore) {
 TEST(PngFrames, BlankBlocksAreBackground) {
   for (const auto& [drawn_x, drawn_y] : {std::pair{-1, -1}, {0, 0}, {70, 31}, {70, 47}, {100, 149}, {199, 64}}) {
     SCOPED_TRACE(testing::Message() << "drawn at " << drawn_x << ", " << drawn_y);
-    FrameBuffer noted(200, 150, true, false), unknown(200, 150, true, false);
+    FrameBuffer noted(200, 150, {Channel::color}), unknown(200, 150, {Channel::color});
     const RawFrame notes(noted);
     for (int tile_y = 0; tile_y < noted.tiles_y(); ++tile_y)
       for (int tile_x = 0; tile_x < noted.tiles_x(); ++tile_x) notes.note(tile_x, tile_y) = 0xffff;
@@ -241,7 +241,8 @@ TEST(PngFrames, BlankBlocksAreBackground) {
       const int bit = drawn_y % 64 / 16 * 4 + drawn_x % 64 / 16;
       notes.note(drawn_x / 64, drawn_y / 64) &= ~(1u << bit);
       for (int channel = 0; channel < 4; ++channel) {
-        const std::size_t at = static_cast<std::size_t>(drawn_y) * notes.row_bytes + notes.color_offset[channel];
+        const std::size_t at =
+            static_cast<std::size_t>(drawn_y) * notes.row_bytes + notes.plane_offset(Channel::color, channel);
         const std::uint16_t white = half(1.0f).bits();
         std::memcpy(notes.data + at + 2 * static_cast<std::size_t>(drawn_x), &white, sizeof white);
         unknown.color_row(channel, drawn_y)[static_cast<std::size_t>(drawn_x)] = white;
@@ -276,7 +277,7 @@ TEST(PngFrames, WhatCannotBeStoredIsRefused) {
     return ErrorKind::internal;
   };
   EXPECT_EQ(kind_of_failure(disc_frame(4, 4), {}, 12), ErrorKind::usage);
-  EXPECT_EQ(kind_of_failure(disc_frame(4, 4, false, true), {}, 8), ErrorKind::usage);
+  EXPECT_EQ(kind_of_failure(disc_frame(4, 4, {Channel::depth}), {}, 8), ErrorKind::usage);
   FrameAttributes attributes;
   attributes.fingerprint = std::string("a\0b", 3);
   EXPECT_EQ(kind_of_failure(disc_frame(4, 4), attributes, 8), ErrorKind::usage);

@@ -17,7 +17,7 @@ using namespace image_test;
 
 TEST(RoundDepth, IsRoundMantissasOfEveryPixelButTheBackground) {
   for (const bool noise : {false, true}) {
-    const auto make = [&] { return noise ? arbitrary_frame(200, 90, true, true) : disc_frame(200, 90); };
+    const auto make = [&] { return noise ? arbitrary_frame(200, 90, default_channels) : disc_frame(200, 90); };
     const FrameBuffer before = make();
     FrameBuffer frame = make();
     round_depth(frame, 1e-4);
@@ -47,7 +47,7 @@ TEST(RoundDepth, LeavesBlankBlocksAndTheirNotes) {
   make_blank(frame, 3, 2, 0);
   float& inside = [&frame]() -> float& {
     const RawFrame memory(frame);
-    return reinterpret_cast<float*>(memory.data + 40 * memory.row_bytes + memory.depth_offset)[50];
+    return reinterpret_cast<float*>(memory.data + 40 * memory.row_bytes + memory.plane_offset(Channel::depth, 0))[50];
   }();
   inside = 1.2345678f;  // what nobody may look at
   round_depth(frame, 1e-3);
@@ -57,11 +57,11 @@ TEST(RoundDepth, LeavesBlankBlocksAndTheirNotes) {
 }
 
 TEST(RoundDepth, LeavesAFrameThatNeedsAllItsBitsOrHasNoDepth) {
-  FrameBuffer frame = disc_frame(100, 60), colors = disc_frame(100, 60, true, false);
+  FrameBuffer frame = disc_frame(100, 60), colors = disc_frame(100, 60, {Channel::color});
   round_depth(frame, 1e-8);
   EXPECT_EQ(difference(disc_frame(100, 60), frame), "");
   round_depth(colors, 1e-3);
-  EXPECT_EQ(difference(disc_frame(100, 60, true, false), colors), "");
+  EXPECT_EQ(difference(disc_frame(100, 60, {Channel::color}), colors), "");
   EXPECT_THROW(round_depth(frame, 0), Error);
 }
 

@@ -9,10 +9,10 @@
 namespace morphcl::image_test {
 
 // Every bit pattern may occur: NaN with payloads, infinities, denormals, -0. The padding is filled as well.
-FrameBuffer arbitrary_frame(int width, int height, bool color, bool depth, std::uint64_t seed = 1);
+FrameBuffer arbitrary_frame(int width, int height, ChannelSet channels, std::uint64_t seed = 1);
 
 // A smooth opaque disc over a transparent background, with its depth: what renderers make.
-FrameBuffer disc_frame(int width, int height, bool color = true, bool depth = true);
+FrameBuffer disc_frame(int width, int height, ChannelSet channels = default_channels);
 
 FrameBuffer uniform_frame(int width, int height, float red, float green, float blue, float alpha);
 

@@ -15,7 +15,7 @@ namespace morphcl::job_test {
 constexpr int width = 24, height = 10;
 
 inline FrameBuffer pixels_of(std::int64_t frame) {
-  return image_test::arbitrary_frame(width, height, true, true, static_cast<std::uint64_t>(frame));
+  return image_test::arbitrary_frame(width, height, default_channels, static_cast<std::uint64_t>(frame));
 }
 
 class FakeRenderer : public Renderer {

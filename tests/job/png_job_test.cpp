@@ -163,7 +163,7 @@ TEST(PngJobs, WhatDoesNotGoWithTheFormatIsRefusedBeforeAnythingIsRendered) {
   EXPECT_TRUE(refused(job, empty_scene()));
   job.preview = false;
   Scene depth_alone = empty_scene();
-  depth_alone.image.color = false;
+  depth_alone.image.channels.erase(Channel::color);
   EXPECT_TRUE(refused(job, depth_alone));
   job.pattern = folder / "a.##.exr";
   job.sample_bits = 16;

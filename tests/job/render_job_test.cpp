@@ -464,7 +464,7 @@ TEST(RenderJob, WrongSettingsAreFoundBeforeAnythingIsRendered) {
   scene.image.compression = "jpeg";
   EXPECT_EQ(kind_of_failure(job_of(folder / "a.##.exr", {1}), scene), ErrorKind::usage);
   scene = empty_scene();
-  scene.image.color = false;
+  scene.image.channels.erase(Channel::color);
   RenderJob job = job_of(folder / "a.##.exr", {1});
   job.preview = true;
   EXPECT_EQ(kind_of_failure(job, scene), ErrorKind::usage) << "a picture without colour";

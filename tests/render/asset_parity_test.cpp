@@ -28,8 +28,7 @@ void expect_parity_of_every_frame(const std::string& path) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   for (const std::int64_t frame : frame_numbers(scene.frames)) {
     const Plan plan = planner.plan(frame);
-    FrameBuffer expected(plan->width, plan->height, plan->color, plan->depth),
-        actual(plan->width, plan->height, plan->color, plan->depth);
+    FrameBuffer expected(plan->width, plan->height, plan->channels), actual(plan->width, plan->height, plan->channels);
     reference->render(plan, expected);
     device->render(plan, actual);
     ASSERT_TRUE(same_pixels(expected, actual)) << "frame " << frame;

@@ -238,7 +238,7 @@ TEST(AutoRenderer, RefusesWhatOtherRenderersRefuse) {
   const auto renderer = make_auto_renderer(AutoOptions{});
   const Scene scene = pyramid_to_cube(auto_width, auto_height), other = pyramid_to_cube(auto_width, auto_height);
   const Planner planner(scene), stranger(other);
-  FrameBuffer frame = planner.plan(0).make_frame(), small(8, 8, true, true);
+  FrameBuffer frame = planner.plan(0).make_frame(), small(8, 8, {Channel::color, Channel::depth});
   EXPECT_THROW(renderer->render(planner.plan(0), small), Error);
   renderer->render(planner.plan(0), frame);
   EXPECT_THROW(renderer->render(stranger.plan(0), frame), Error);
@@ -284,7 +284,7 @@ TEST(FrameKernels, OfSeveralSamplesAreThoseThatTheDeviceStarts) {
       SCOPED_TRACE(test.name);
       Scene scene = test.scene;
       scene.image.samples = 4;
-      scene.image.depth = depth;
+      scene.image.channels.set(Channel::depth, depth);
       FrameKernels started;
       const auto device =
           make_device_renderer(shared_session(), [&started](const FrameKernel& kernel) { started.insert(kernel); });
@@ -306,7 +306,7 @@ TEST(FrameKernels, SamplesStartThoseThatAreWantedAndNoOthers) {
     for (const bool depth : {false, true}) {
       Scene several = scene.scene;
       several.image.samples = 4;
-      several.image.depth = depth;
+      several.image.channels.set(Channel::depth, depth);
       choices.insert(frame_kernels(*plan_frame(several, scene.frames.front())));
     }
   EXPECT_GE(choices.size(), 10u);

@@ -32,7 +32,7 @@ Scene scene_before(const std::optional<Background>& background, Shading shading 
 const Background sky{{0.1, 0.3, 0.9}, {0.7, 0.6, 0.5}};
 
 FrameBuffer drawn_alone(Renderer& renderer, const Scene& scene) {
-  FrameBuffer frame(background_width, background_height, scene.image.color, scene.image.depth);
+  FrameBuffer frame(background_width, background_height, scene.image.channels);
   renderer.forget();
   renderer.render(plan_frame(scene, 0), frame);
   return frame;
@@ -44,7 +44,7 @@ TEST(BackgroundPixels, AreTheSameOnTheDevice) {
   for (const Shading shading : {Shading::flat, Shading::smooth, Shading::unlit, Shading::wireframe})
     for (const bool depth : {true, false}) {
       Scene scene = scene_before(sky, shading);
-      scene.image.depth = depth;
+      scene.image.channels.set(Channel::depth, depth);
       EXPECT_TRUE(same_pixels(drawn_alone(*reference, scene), drawn_alone(*device, scene)))
           << "shading " << static_cast<int>(shading);
     }
@@ -90,7 +90,7 @@ TEST(BackgroundPixels, InABufferThatHeldOtherPictures) {
   const auto reference = make_reference_renderer();
   Scene dim = scene_before(Background{{0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}});
   Scene plain = scene_before(std::nullopt), bright = scene_before(sky);
-  FrameBuffer buffer(background_width, background_height, true, true);
+  FrameBuffer buffer(background_width, background_height, {Channel::color, Channel::depth});
   for (const Scene* scene : {&plain, &plain, &bright, &bright, &dim, &plain, &plain, &bright}) {
     device->forget();
     device->render(plan_frame(*scene, 0), buffer);
@@ -111,8 +111,8 @@ TEST(BackgroundPixels, FollowWhatMoves) {
   const Planner planner(scene);
   const auto device = make_device_renderer(shared_session());
   const auto reference = make_reference_renderer();
-  FrameBuffer expected(background_width, background_height, true, true),
-      buffer(background_width, background_height, true, true);
+  FrameBuffer expected(background_width, background_height, {Channel::color, Channel::depth}),
+      buffer(background_width, background_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 1, 2, 2, 0, 1}) {
     reference->render(planner.plan(frame), expected);
     device->render(planner.plan(frame), buffer);
@@ -124,7 +124,7 @@ TEST(BackgroundPlan, HoldsNoneWithoutColour) {
   Scene scene = scene_before(sky);
   const Plan with = plan_frame(scene, 0);
   EXPECT_TRUE(with->background);
-  scene.image.color = false;
+  scene.image.channels.erase(Channel::color);
   const Plan without_color = plan_frame(scene, 0);
   EXPECT_FALSE(without_color->background);
   const Scene plain = scene_before(std::nullopt);

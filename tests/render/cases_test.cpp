@@ -26,7 +26,7 @@ std::unique_ptr<FrameBuffer> picture_of(const std::string& file) {
   options.width = options.height = 64;
   const Scene scene = load_scene((cases_folder() / file).string(), options);
   const Plan plan = Planner(scene).plan(0);
-  auto frame = std::make_unique<FrameBuffer>(plan->width, plan->height, plan->color, plan->depth);
+  auto frame = std::make_unique<FrameBuffer>(plan->width, plan->height, plan->channels);
   make_reference_renderer()->render(plan, *frame);
   return frame;
 }

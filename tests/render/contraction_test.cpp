@@ -36,7 +36,8 @@ TEST(FpContract, WithoutThePragmaTheBitsChange) {
   bool same = true;
   for (const TestScene& test : test_scenes(200, 150)) {
     const Plan plan = plan_frame(test.scene, test.frames[0]);
-    FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
+    FrameBuffer expected(plan->width, plan->height, {Channel::color, Channel::depth}),
+        actual(plan->width, plan->height, {Channel::color, Channel::depth});
     reference->render(plan, expected);
     contracted->render(plan, actual);
     if (!same_pixels(expected, actual)) {

@@ -30,7 +30,7 @@ Scene white(const std::string& mesh, const std::string& shading, const std::stri
 
 // The levels of all that is drawn.
 std::set<int> levels(const Scene& scene) {
-  FrameBuffer frame(scene.image.width, scene.image.height, true, scene.image.depth);
+  FrameBuffer frame(scene.image.width, scene.image.height, scene.image.channels);
   make_reference_renderer()->render(plan_frame(scene, 0), frame);
   const std::vector<std::uint8_t> pixels = to_srgb8(frame);
   std::set<int> found;

@@ -26,7 +26,7 @@ using reference::infinity;
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
 
 FrameBuffer draw(Renderer& renderer, const Plan& plan) {
-  FrameBuffer pixels(plan->width, plan->height, plan->color, plan->depth);
+  FrameBuffer pixels(plan->width, plan->height, plan->channels);
   renderer.render(plan, pixels);
   return pixels;
 }

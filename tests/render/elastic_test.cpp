@@ -56,7 +56,7 @@ Scene elastic_scene(Shading shading) {
 }
 
 FrameBuffer drawn(Renderer& renderer, const Plan& plan) {
-  FrameBuffer pixels(plan->width, plan->height, plan->color, plan->depth);
+  FrameBuffer pixels(plan->width, plan->height, plan->channels);
   renderer.render(plan, pixels);
   return pixels;
 }
@@ -67,7 +67,7 @@ TEST_P(ElasticObjects, DeviceEqualsReferenceInAnyOrder) {
   const Scene scene = elastic_scene(GetParam());
   const Planner planner(scene);
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
-  FrameBuffer kept(elastic_width, elastic_height, true, true);
+  FrameBuffer kept(elastic_width, elastic_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 5, 6, 7, 7, 30, 12, 57, 0, 8}) {
     const Plan plan = planner.plan(frame);
     ASSERT_EQ(plan->draws.size(), 3u);

@@ -36,7 +36,7 @@ int main(int count, char** values) {
         scene.scene.accuracy_pixels = 1e-9;
       }
       for (const std::int64_t frame : scene.frames) {
-        FrameBuffer pixels(width, height, true, true);
+        FrameBuffer pixels(width, height, {Channel::color, Channel::depth});
         renderer->render(plan_frame(scene.scene, frame), pixels);
         fmt::print("{} {}/{}\n", pixel_hash(pixels), scene.name, frame);
       }

@@ -60,14 +60,14 @@ const Fault faults[] = {
     {"target of another length", [](Scene& s) { s.meshes[0].targets[0].positions.pop_back(); }, "mesh"},
     {"no width", [](Scene& s) { s.image.width = 0; }, "an image of 0 x 30 pixels"},
     {"huge image", [](Scene& s) { s.image.height = 16385; }, "an image of 40 x 16385 pixels"},
-    {"no channel", [](Scene& s) { s.image.color = s.image.depth = false; }, "no channel"},
+    {"no channel", [](Scene& s) { s.image.channels = {}; }, "no channel"},
     {"negative error of Z", [](Scene& s) { s.image.z_error = -1e-6; }, "relative error of -1e-06"},
     {"error of Z not finite", [](Scene& s) { s.image.z_error = nan; }, "relative error of nan"},
     {"error of Z too large", [](Scene& s) { s.image.z_error = 0.2; }, "at most 0.1"},
     {"error of Z without Z",
      [](Scene& s) {
        s.image.z_error = 1e-6;
-       s.image.depth = false;
+       s.image.channels.erase(Channel::depth);
      },
      "no channel Z"},
     {"accuracy not finite", [](Scene& s) { s.accuracy_pixels = nan; }, "accuracy"},

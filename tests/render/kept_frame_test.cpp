@@ -51,7 +51,7 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
 
   void expect_parity(const Planner& planner, std::int64_t frame, FrameBuffer& buffer, bool anything_in_view = true) {
     const Plan plan = planner.plan(frame);
-    FrameBuffer expected(kept_width, kept_height, true, true);
+    FrameBuffer expected(kept_width, kept_height, {Channel::color, Channel::depth});
     reference_->render(plan, expected);
     device_->render(plan, buffer);
     EXPECT_TRUE(same_pixels(expected, buffer)) << "frame " << frame;
@@ -65,14 +65,15 @@ class KeptFrame : public ::testing::TestWithParam<Shading> {
 
 TEST_P(KeptFrame, OneBufferForwardsAndBackwards) {
   const Planner planner(scene_);
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
     expect_parity(planner, frame, buffer);
 }
 
 TEST_P(KeptFrame, TwoBuffersInTurn) {
   const Planner planner(scene_);
-  FrameBuffer first(kept_width, kept_height, true, true), second(kept_width, kept_height, true, true);
+  FrameBuffer first(kept_width, kept_height, {Channel::color, Channel::depth}),
+      second(kept_width, kept_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 6, 1, 5, 5, 2, 4}) {
     expect_parity(planner, frame, first);
     expect_parity(planner, (frame + 1) % 7, second);
@@ -81,7 +82,7 @@ TEST_P(KeptFrame, TwoBuffersInTurn) {
 
 TEST_P(KeptFrame, WhatOthersWroteIntoTheBufferIsDrawnOver) {
   const Planner planner(scene_);
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   expect_parity(planner, 0, buffer);
   for (int y = 0; y < kept_height; ++y) {
     for (int channel = 0; channel < 4; ++channel)
@@ -93,7 +94,7 @@ TEST_P(KeptFrame, WhatOthersWroteIntoTheBufferIsDrawnOver) {
 }
 
 TEST_P(KeptFrame, AnotherPlannersMeshesAreNotTakenForThese) {
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   {
     const Planner planner(scene_);
     expect_parity(planner, 3, buffer);
@@ -119,7 +120,7 @@ TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
   scene_.objects[0].morph.tracks.push_back({0, steps(timeline, 1, {0, 0, 0.5, 1, 1, 0, 0.25})});
   scene_.objects[2].morph.tracks.push_back({0, steps(timeline, 1, {0.5, 1, 0, 1, 1, 0, 0})});
   const Planner planner(scene_);
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3})
     expect_parity(planner, frame, buffer);
 }
@@ -134,7 +135,7 @@ TEST_P(KeptFrame, WhatMovesLeavesAndOnlyStillObjectsRemain) {
   timeline.nodes[0].translation_track = steps(timeline, 3, {0, 0, 0, 0, 0.5, 0, 0, 1, 0, 0, 1, 0, 0, 99, 0, 0, 99, 0});
   timeline.nodes[0].visible_track = steps(timeline, 1, {1, 1, 0, 0, 1, 1, 1});
   const Planner planner(scene_);
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 1, 2, 3, 1, 4, 5, 0, 2, 0, 5, 5}) expect_parity(planner, frame, buffer);
 }
 
@@ -147,7 +148,7 @@ TEST_P(KeptFrame, TheCameraTurnsAwayFromEverythingAndBack) {
   scene_.objects[0].morph.weights[0] = 0.5;
   timeline.camera.target_track = steps(timeline, 3, {0, 0, 0, 0, 0, 0, 9, 2, 9, 9, 2, 9, 0, 0, 0});
   const Planner planner(scene_);
-  FrameBuffer buffer(kept_width, kept_height, true, true);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
   for (const std::int64_t frame : {0, 1, 2, 3, 4, 2, 2, 0})
     expect_parity(planner, frame, buffer, frame != 2 && frame != 3);
 }
@@ -157,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Shadings, KeptFrame, ::testing::Values(Shading::flat, S
 TEST(BlankTiles, AreThoseThatHoldTheBackground) {
   SceneBuilder builder(256, 128);
   builder.add(make_cube(), Shading::flat, place({-1.6, 0, 0}, 0.5));
-  FrameBuffer buffer(256, 128, true, true);
+  FrameBuffer buffer(256, 128, {Channel::color, Channel::depth});
   const auto device = make_device_renderer(shared_session());
   device->render(plan_frame(builder.scene(), 0), buffer);
   const FrameBuffer& drawn = buffer;

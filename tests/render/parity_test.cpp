@@ -6,6 +6,7 @@
 #include "morphcl/renderer.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/render/test_scenes.hpp"
+#include "tests/support/channel_sets.hpp"
 
 namespace morphcl::test {
 namespace {
@@ -13,12 +14,11 @@ namespace {
 void expect_parity(Renderer& device, Renderer& reference, const Scene& scene, std::int64_t frame,
                    bool may_be_blank = false) {
   const Plan plan = plan_frame(scene, frame);
-  FrameBuffer expected(plan->width, plan->height, plan->color, plan->depth),
-      actual(plan->width, plan->height, plan->color, plan->depth);
+  FrameBuffer expected(plan->width, plan->height, plan->channels), actual(plan->width, plan->height, plan->channels);
   reference.render(plan, expected);
   device.render(plan, actual);
   EXPECT_TRUE(same_pixels(expected, actual)) << "frame " << frame;
-  if (plan->color && !may_be_blank) {
+  if (plan->has_color() && !may_be_blank) {
     EXPECT_GT(covered_pixels(expected), 0u);
   }
 }
@@ -54,10 +54,9 @@ TEST(Parity, SizesThatDoNotFillTiles) {
 
 TEST(Parity, ChannelsThatWereNotAskedFor) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
-  for (const auto& [color, depth] : {std::pair{true, false}, {false, true}}) {
+  for (const ChannelSet channels : {color_alone, depth_alone}) {
     Scene soup = triangle_soup(8, 500, 100, 80);
-    soup.image.color = color;
-    soup.image.depth = depth;
+    soup.image.channels = channels;
     expect_parity(*device, *reference, soup, 0);
   }
 }
@@ -69,12 +68,12 @@ TEST(Parity, AFrameDoesNotDependOnTheFramesBefore) {
   std::vector<FrameBuffer> first;
   for (const TestScene& test : scenes) {
     const Plan plan = plan_frame(test.scene, test.frames.back());
-    first.emplace_back(plan->width, plan->height, true, true);
+    first.emplace_back(plan->width, plan->height, default_channels);
     make_device_renderer(shared_session())->render(plan, first.back());
   }
   for (std::size_t i = scenes.size(); i-- > 0;) {
     SCOPED_TRACE(scenes[i].name);
-    FrameBuffer frame(160, 90, true, true);
+    FrameBuffer frame(160, 90, {Channel::color, Channel::depth});
     device->render(plan_frame(scenes[i].scene, scenes[i].frames.back()), frame);
     EXPECT_TRUE(same_pixels(first[i], frame));
   }

@@ -61,7 +61,7 @@ TEST(DemoShots, LeaveOutNothingThatShows) {
         for (Renderer* renderer : {reference.get(), device.get()}) {
           const Plan plan = planner->plan(frame);
           renderer->forget();
-          renderer->render(plan, pictures.emplace_back(plan->width, plan->height, plan->color, plan->depth));
+          renderer->render(plan, pictures.emplace_back(plan->width, plan->height, plan->channels));
           EXPECT_TRUE(same_pixels(pictures[0], pictures.back())) << "frame " << frame << " on " << renderer->name();
         }
     }

@@ -56,7 +56,7 @@ TEST(LeaveOut, OnTheReferenceNoPixelChanges) {
 TEST(LeaveOut, WithoutColourNoDistanceChanges) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
   for (TestScene& test : test_scenes(leave_out_width, leave_out_height)) {
-    test.scene.image.color = false;
+    test.scene.image.channels.erase(Channel::color);
     const Planner usual(test.scene), nothing_left_out(test.scene, choices[0].options);
     for (const Draw& one : (*usual.plan(0)).draws) {
       EXPECT_TRUE(one.shading == Shading::unlit || one.shading == Shading::wireframe) << test.name;

@@ -54,7 +54,7 @@ TEST(ScreenReach, HoldsEveryPixelThatIsDrawn) {
       const ScreenReach reach = find_reach(*plan);
       ASSERT_EQ(reach.tile_columns, 6);
       ASSERT_EQ(reach.tile_rows, 4);
-      FrameBuffer pixels(plan->width, plan->height, true, true);
+      FrameBuffer pixels(plan->width, plan->height, {Channel::color, Channel::depth});
       renderer->render(plan, pixels);
       for (int y = 0; y < plan->height; ++y)
         for (int x = 0; x < plan->width; ++x)
@@ -210,13 +210,13 @@ TEST(PlanReport, SaysWhySeveralSamplesAreDrawnOrNot) {
   EXPECT_GT(find_note(four, "pixel centres")->milliseconds, 0);
   EXPECT_GT(four.milliseconds, one.milliseconds);
   EXPECT_GT(four.memory.bins, one.memory.bins);
-  scene.image.depth = false;
+  scene.image.channels.erase(Channel::depth);
   const PlanReport colors = report_of(scene, 0);
   EXPECT_FALSE(find_note(colors, "pixel centres")->done);
   EXPECT_LT(colors.milliseconds, four.milliseconds);
   EXPECT_LT(colors.memory.bins, four.memory.bins);
-  scene.image.depth = true;
-  scene.image.color = false;
+  scene.image.channels.insert(Channel::depth);
+  scene.image.channels.erase(Channel::color);
   const PlanReport distances = report_of(scene, 0);
   EXPECT_FALSE(find_note(distances, "samples")->done);
   EXPECT_EQ(find_note(distances, "samples")->reason, "4 a pixel are asked for, but no colour");

@@ -109,7 +109,7 @@ TEST_P(ProjectionPicture, CornersAreWhereGeometryPutsThem) {
 // differ.
 TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
   const Plan plan = plan_frame(scene_, 0);
-  FrameBuffer picture(width_, height_, true, true);
+  FrameBuffer picture(width_, height_, {Channel::color, Channel::depth});
   make_reference_renderer()->render(plan, picture);
   int solid = 0, background = 0;
   for (int y = 0; y < height_; ++y)
@@ -140,8 +140,9 @@ TEST_P(ProjectionPicture, EveryPixelShowsWhatItsLineOfSightMeets) {
 
 TEST_P(ProjectionPicture, TheDeviceDrawsTheSameBits) {
   const Plan plan = plan_frame(scene_, 0), complete = plan_frame(scene_, 0, {.leave_out = false});
-  FrameBuffer expected(width_, height_, true, true), device(width_, height_, true, true),
-      nothing_left_out(width_, height_, true, true);
+  FrameBuffer expected(width_, height_, {Channel::color, Channel::depth}),
+      device(width_, height_, {Channel::color, Channel::depth}),
+      nothing_left_out(width_, height_, {Channel::color, Channel::depth});
   make_reference_renderer()->render(plan, expected);
   make_device_renderer(shared_session())->render(plan, device);
   make_device_renderer(shared_session())->render(complete, nothing_left_out);

@@ -165,7 +165,7 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   const Plan plan = plan_frame(scene, 0);
   const RasterGrid grid(width, height);
   const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
-  FrameBuffer frame(width, height, true, true);
+  FrameBuffer frame(width, height, {Channel::color, Channel::depth});
   make_reference_renderer()->render(plan, frame);
   // Depth is affine on the screen: solve it exactly through the three snapped vertices.
   Exact x[3], y[3], depth[3];

@@ -13,60 +13,64 @@
 #include "tests/render/parity.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
+#include "tests/support/channel_sets.hpp"
 
 namespace morphcl::test {
 namespace {
 
 struct Misfit {
   const char* name;
-  bool plan_color, plan_depth;
+  ChannelSet plan_channels;
   int width, height;
-  bool color, depth;
+  ChannelSet channels;
   const char* text;
 };
 
 // The plan draws 150 x 100 pixels.
 const Misfit misfits[] = {
-    {"narrower", true, true, 149, 100, true, true,
+    {"narrower", default_channels, 149, 100, default_channels,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 149 x 100 pixels of RGBA and Z"},
-    {"lower", true, true, 150, 30, true, true,
+    {"lower", default_channels, 150, 30, default_channels,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 30 pixels of RGBA and Z"},
-    {"much smaller", true, true, 1, 1, true, true,
+    {"much smaller", default_channels, 1, 1, default_channels,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 1 x 1 pixels of RGBA and Z"},
-    {"wider", true, true, 151, 100, true, true,
+    {"wider", default_channels, 151, 100, default_channels,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 151 x 100 pixels of RGBA and Z"},
-    {"higher", true, true, 150, 200, true, true,
+    {"higher", default_channels, 150, 200, default_channels,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 200 pixels of RGBA and Z"},
-    {"without colour", true, true, 150, 100, false, true,
+    {"without colour", default_channels, 150, 100, depth_alone,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of Z alone"},
-    {"without depth", true, true, 150, 100, true, false,
+    {"without depth", default_channels, 150, 100, color_alone,
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of RGBA alone"},
-    {"without channels", true, true, 150, 100, false, false,
+    {"without channels",
+     default_channels,
+     150,
+     100,
+     {},
      "the plan draws 150 x 100 pixels of RGBA and Z, but the frame buffer has 150 x 100 pixels of no channels"},
-    {"colour too many", false, true, 150, 100, true, true,
+    {"colour too many", depth_alone, 150, 100, default_channels,
      "the plan draws 150 x 100 pixels of Z alone, but the frame buffer has 150 x 100 pixels of RGBA and Z"},
-    {"depth too many", true, false, 150, 100, true, true,
+    {"depth too many", color_alone, 150, 100, default_channels,
      "the plan draws 150 x 100 pixels of RGBA alone, but the frame buffer has 150 x 100 pixels of RGBA and Z"},
-    {"the other channels", false, true, 150, 100, true, false,
+    {"the other channels", depth_alone, 150, 100, color_alone,
      "the plan draws 150 x 100 pixels of Z alone, but the frame buffer has 150 x 100 pixels of RGBA alone"},
 };
 
-Scene cube_scene(bool color, bool depth) {
+Scene cube_scene(ChannelSet channels) {
   SceneBuilder builder(150, 100);
   builder.look({3, 2, 6});
   builder.add(make_cube(), Shading::flat);
   Scene scene = builder.scene();
-  scene.image.color = color;
-  scene.image.depth = depth;
+  scene.image.channels = channels;
   return scene;
 }
 
 void expect_refusals(Renderer& renderer) {
   for (const Misfit& misfit : misfits) {
     SCOPED_TRACE(renderer.name() + ", " + misfit.name);
-    const Scene scene = cube_scene(misfit.plan_color, misfit.plan_depth);
+    const Scene scene = cube_scene(misfit.plan_channels);
     const Plan plan = plan_frame(scene, 0);
-    FrameBuffer frame(misfit.width, misfit.height, misfit.color, misfit.depth);
+    FrameBuffer frame(misfit.width, misfit.height, misfit.channels);
     std::fill_n(frame.data(), frame.bytes(), std::byte{0x5a});
     try {
       renderer.render(plan, frame);
@@ -96,7 +100,7 @@ TEST(Renderer, AFlatQuadWithoutNormalsIsLitLikeOneWithThem) {
     builder.add(mesh, Shading::smooth, glm::dmat4(1.0), {1, 1, 1, 1});
     const Scene scene = builder.no_lights().look({0.3, 0.2, 3}).point_light({0.4, 0.7, 0.5}, {1, 1, 1}, true).scene();
     const Plan plan = Planner(scene).plan(0);
-    auto frame = std::make_unique<FrameBuffer>(plan->width, plan->height, true, true);
+    auto frame = std::make_unique<FrameBuffer>(plan->width, plan->height, default_channels);
     make_reference_renderer()->render(plan, *frame);
     return frame;
   };
@@ -114,24 +118,24 @@ TEST(Renderer, AFlatQuadWithoutNormalsIsLitLikeOneWithThem) {
 
 TEST(Renderer, EveryChoiceOfChannelsThatFitsIsDrawn) {
   const auto device = make_device_renderer(shared_session()), reference = make_reference_renderer();
-  for (const auto& [color, depth] : {std::pair{true, true}, {true, false}, {false, true}}) {
-    const Scene scene = cube_scene(color, depth);
+  for (const ChannelSet channels : choices_of_two) {
+    const Scene scene = cube_scene(channels);
     const Plan plan = plan_frame(scene, 0);
-    FrameBuffer expected(150, 100, color, depth), actual(150, 100, color, depth);
+    FrameBuffer expected(150, 100, channels), actual(150, 100, channels);
     reference->render(plan, expected);
     device->render(plan, actual);
-    EXPECT_TRUE(same_pixels(expected, actual)) << color << depth;
-    if (color) {
+    EXPECT_TRUE(same_pixels(expected, actual)) << names_of(channels);
+    if (actual.has_color()) {
       EXPECT_GT(covered_pixels(actual), 100u);
     }
-    if (depth) {
+    if (actual.has_depth()) {
       EXPECT_LT(std::ranges::min(actual.depth_row(50)), 100.0f);
     }
   }
 }
 
 void expect_another_planner_is_refused(Renderer& renderer) {
-  const Scene cube = cube_scene(true, true);
+  const Scene cube = cube_scene(default_channels);
   Scene turned = cube;
   turned.timeline.camera.eye = {6, 2, 3};
   const Planner first(cube), second(turned);
@@ -164,7 +168,7 @@ TEST(Renderer, RefusesPlansOfAnotherSceneUntilItForgets) {
 }
 
 TEST(Renderer, APlanThatStandsAloneIsDrawnBetweenOthers) {
-  const Scene cube = cube_scene(true, true);
+  const Scene cube = cube_scene(default_channels);
   Scene turned = cube;
   turned.timeline.camera.eye = {6, 2, 3};
   const Planner planner(cube);

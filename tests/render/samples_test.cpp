@@ -97,7 +97,7 @@ TEST(SampleParity, ChannelsBackgroundAndSizes) {
     for (const bool depth : {false, true})
       for (const bool background : {false, true}) {
         Scene soup = with_samples(triangle_soup(5, 1000, width, height), 4);
-        soup.image.depth = depth;
+        soup.image.channels.set(Channel::depth, depth);
         if (background) soup.image.background = Background{{0.1, 0.3, 0.9}, {0.7, 0.6, 0.5}};
         EXPECT_TRUE(same_pixels(drawn(*reference, soup), drawn(*device, soup))) << width << "x" << height;
       }
@@ -114,7 +114,7 @@ TEST(SampleParity, InABufferThatHeldOtherPictures) {
   Scene lines = left;
   lines.objects[0].material.shading = Shading::wireframe;
   lines.objects[0].material.line_width = 9;
-  FrameBuffer buffer(200, 150, true, true);
+  FrameBuffer buffer(200, 150, {Channel::color, Channel::depth});
   for (const auto& [scene, samples] : {std::pair{&left, 4},
                                        {&left, 4},
                                        {&right, 4},
@@ -358,7 +358,7 @@ TEST(SampleShading, TurnsNoNormalOfANeedle) {
 TEST(SamplePlan, IsOfOneSampleWithoutColour) {
   Scene scene = with_samples(triangle_soup(3, 10, 8, 8), 8);
   EXPECT_EQ((*plan_frame(scene, 0)).samples, 8);
-  scene.image.color = false;
+  scene.image.channels.erase(Channel::color);
   EXPECT_EQ((*plan_frame(scene, 0)).samples, 1);
 }
 
@@ -367,7 +367,7 @@ TEST(SamplePlan, LeavingOutChangesNoPixel) {
   for (const TestScene& test : test_scenes(96, 64, 300))
     for (const int samples : {4, 16}) {
       const Scene scene = with_samples(test.scene, samples);
-      FrameBuffer pixels[2] = {{96, 64, true, true}, {96, 64, true, true}};
+      FrameBuffer pixels[2] = {{96, 64, default_channels}, {96, 64, default_channels}};
       for (const bool leave_out : {true, false}) {
         device->forget();
         device->render(plan_frame(scene, test.frames.back(), {.leave_out = leave_out}), pixels[leave_out]);

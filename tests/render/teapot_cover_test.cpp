@@ -30,7 +30,7 @@ struct Cover {
 
 FrameBuffer drawn_for_cover(const Scene& scene, std::int64_t frame) {
   const Plan plan = plan_frame(scene, frame);
-  FrameBuffer pixels(plan->width, plan->height, plan->color, plan->depth);
+  FrameBuffer pixels(plan->width, plan->height, plan->channels);
   make_reference_renderer()->render(plan, pixels);
   return pixels;
 }

@@ -190,7 +190,8 @@ TEST(VertexAccuracy, TheDeviceDrawsTheReferencesBits) {
     scene.accuracy_pixels = pixels;
     const Plan plan = plan_frame(scene, 0), whole = plan_frame(scene, 0, {.leave_out = false});
     for (const Draw& draw : plan->draws) ++drawn[static_cast<std::size_t>(form_of(draw))];
-    FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
+    FrameBuffer expected(plan->width, plan->height, {Channel::color, Channel::depth}),
+        actual(plan->width, plan->height, {Channel::color, Channel::depth});
     reference->render(plan, expected);
     device->render(plan, actual);
     EXPECT_TRUE(same_pixels(expected, actual)) << pixels;
@@ -222,7 +223,8 @@ TEST(VertexAccuracy, KeptVerticesAreThoseOfTheSameForm) {
   const std::array<double, 3> bounds = (*plan_frame(scene, 0)).draws.at(0).accuracy->bounds;
   const Planner planner(scene);
   Plan plan = planner.plan(0);
-  FrameBuffer expected(plan->width, plan->height, true, true), actual(plan->width, plan->height, true, true);
+  FrameBuffer expected(plan->width, plan->height, {Channel::color, Channel::depth}),
+      actual(plan->width, plan->height, {Channel::color, Channel::depth});
   for (const double pixels : {bounds[0], bounds[1], bounds[2], bounds[1], bounds[0]}) {
     scene.accuracy_pixels = pixels;
     plan = planner.plan(0);

@@ -48,7 +48,7 @@ void print_hashes(const std::string& shot, int width, int height, std::size_t fr
   options.width = width;
   options.height = height;
   const Scene scene = load_scene(shot, options);
-  FrameBuffer pixels(width, height, scene.image.color, scene.image.depth);
+  FrameBuffer pixels(width, height, scene.image.channels);
   for (const std::int64_t frame : chosen(frame_numbers(scene.frames), frames)) {
     renderer.render(plan_frame(scene, frame), pixels);
     fmt::print("{} {} {}\n", std::filesystem::path(shot).stem().string(), frame, pixel_hash(pixels));

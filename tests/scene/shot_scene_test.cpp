@@ -61,8 +61,8 @@ TEST(Shot, ReadsImageFramesAndAmbient) {
   EXPECT_EQ(scene.name, "shot");
   EXPECT_EQ(scene.image.width, 320);
   EXPECT_EQ(scene.image.height, 180);
-  EXPECT_FALSE(scene.image.color);
-  EXPECT_TRUE(scene.image.depth);
+  EXPECT_FALSE(scene.image.has_color());
+  EXPECT_TRUE(scene.image.has_depth());
   EXPECT_EQ(scene.image.compression, "piz");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::fixed24);
   EXPECT_EQ(scene.image.z_error, 1e-6);
@@ -119,7 +119,7 @@ TEST(Shot, HasTheDocumentedDefaults) {
   const Scene scene = ShotFolder().load(test::cube_object);
   EXPECT_EQ(scene.image.width, 1920);
   EXPECT_EQ(scene.image.height, 1080);
-  EXPECT_TRUE(scene.image.color && scene.image.depth);
+  EXPECT_TRUE(scene.image.has_color() && scene.image.has_depth());
   EXPECT_EQ(scene.image.compression, "zip");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::reversed_float);
   EXPECT_EQ(scene.image.samples, 1);

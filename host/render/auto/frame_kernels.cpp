@@ -79,7 +79,7 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const Kerne
   plan.clips = clips;
   plan.depth_format = variant.depth_format;
   plan.samples = variant.samples;
-  plan.depth = variant.depth;
+  plan.channels.set(Channel::depth, variant.depth);
   plan.keeps_vertices = plan.keeps_blank_tiles = false;
   plan.camera.near = plan.camera.near_depth = plan.camera.near_w = 1;
   Draw draw{};
@@ -121,7 +121,7 @@ FrameKernels frame_kernels(const FramePlan& plan) {
                     : faces ? "light_and_bin_samples"
                             : "bin_samples",
                     sampled});
-    if (plan.depth) kernels.insert({"bin_primitives", "bin_primitives", options});
+    if (plan.has_depth()) kernels.insert({"bin_primitives", "bin_primitives", options});
   } else {
     kernels.insert({"bin_primitives",
                     fused   ? "project_light_and_bin"
@@ -129,7 +129,7 @@ FrameKernels frame_kernels(const FramePlan& plan) {
                             : "bin_primitives",
                     options});
   }
-  if (!several || plan.depth) kernels.insert({"shade_tiles", "shade_tiles", options});
+  if (!several || plan.has_depth()) kernels.insert({"shade_tiles", "shade_tiles", options});
   if (!fused) kernels.insert({"project_vertices", "project_vertices", options});
   if (plan.clips) {
     kernels.insert({"clip_primitives", "count_clipped", options});

@@ -66,10 +66,10 @@ class DeviceRenderer : public Renderer {
       // Distances are those of the pixels' centres: as of one sample a pixel, without colours.
       layout::FrameConstants colors = constants, distances = constants;
       colors.writes_depth = distances.writes_color = 0;
-      colors.first_of_two = distances.second_of_two = plan.depth;
+      colors.first_of_two = distances.second_of_two = plan.has_depth();
       ForgetNotes notes(frame);  // until both have drawn
       draw_pass(plan.samples, colors, picture, sample_pools_, true);
-      if (plan.depth) draw_pass(1, distances, picture, pools_, false);
+      if (plan.has_depth()) draw_pass(1, distances, picture, pools_, false);
       notes.hold();
     }
     finish_before_tables_go.not_needed();

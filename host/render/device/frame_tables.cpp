@@ -108,15 +108,16 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, const DeviceP
   frame.tiles_x = (plan.width + layout::tile - 1) / layout::tile;
   frame.tiles_y = (plan.height + layout::tile - 1) / layout::tile;
   frame.row_bytes = static_cast<uint>(picture.memory.row_bytes);
-  std::copy_n(picture.memory.color_offset, 4, frame.color_offset);
-  frame.depth_offset = static_cast<uint>(picture.memory.depth_offset);
+  for (int plane = 0; plane < 4; ++plane)
+    frame.color_offset[plane] = static_cast<uint>(picture.memory.plane_offset(Channel::color, plane));
+  frame.depth_offset = static_cast<uint>(picture.memory.plane_offset(Channel::depth, 0));
   frame.notes_offset = static_cast<uint>(picture.memory.notes_offset);
   frame.tile_step = tile_step(picture.bands);
   frame.light_count = static_cast<uint>(plan.lights.size());
   frame.has_point_lights =
       std::any_of(plan.lights.begin(), plan.lights.end(), [](const EyeLight& l) { return l.kind == LightKind::point; });
-  frame.writes_color = plan.color;
-  frame.writes_depth = plan.depth;
+  frame.writes_color = plan.has_color();
+  frame.writes_depth = plan.has_depth();
   frame.clips = plan.clips;
   frame.divides = plan.divides;
   frame.tests_depth = plan.tests_depth;

@@ -47,11 +47,12 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
   costs.samples = plan.samples > 1 ? of_samples * plan.samples : 0;
   costs.centres = ms * (model.triangle * work.triangles + model.span * spans + model.covered_pixel * covered);
   costs.skipped = ms * (model.vertex * skipped.vertices + model.triangle * skipped.triangles);
-  costs.everything = ms * model.frame + costs.depth_format + costs.precise_vertices + (plan.color ? costs.color : 0) +
-                     (plan.depth ? costs.depth : 0) + costs.draws + costs.targets + costs.elastic + costs.normals +
-                     costs.colors + costs.face_light + costs.lights + costs.lines + (plan.clips ? costs.clipping : 0) +
-                     costs.samples + (plan.samples > 1 && plan.depth ? costs.centres : 0) +
-                     (plan.divides ? costs.divide : 0) + (plan.tests_depth ? costs.depth_test : 0);
+  costs.everything = ms * model.frame + costs.depth_format + costs.precise_vertices +
+                     (plan.has_color() ? costs.color : 0) + (plan.has_depth() ? costs.depth : 0) + costs.draws +
+                     costs.targets + costs.elastic + costs.normals + costs.colors + costs.face_light + costs.lights +
+                     costs.lines + (plan.clips ? costs.clipping : 0) + costs.samples +
+                     (plan.samples > 1 && plan.has_depth() ? costs.centres : 0) + (plan.divides ? costs.divide : 0) +
+                     (plan.tests_depth ? costs.depth_test : 0);
   return costs;
 }
 

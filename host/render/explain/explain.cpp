@@ -84,9 +84,9 @@ class Notes {
   }
 
   void channels() {
-    note("RGBA", plan_.color, plan_.color ? "asked for" : "not among the channels", costs_.color);
+    note("RGBA", plan_.has_color(), plan_.has_color() ? "asked for" : "not among the channels", costs_.color);
     if (plan_.background) note("background", true, "colour of every pixel where nothing is drawn", 0);
-    note("Z", plan_.depth, plan_.depth ? "asked for" : "not among the channels", costs_.depth);
+    note("Z", plan_.has_depth(), plan_.has_depth() ? "asked for" : "not among the channels", costs_.depth);
     rounding();
   }
 
@@ -112,9 +112,9 @@ class Notes {
                              : fmt::format("{} a pixel are asked for, but no colour", asked_for),
          costs_.samples);
     if (plan_.samples > 1)
-      note("pixel centres", plan_.depth,
-           plan_.depth ? "Z is that of the centre, which is no sample: one more pass"
-                       : "no channel is asked for that shows what is at the centre",
+      note("pixel centres", plan_.has_depth(),
+           plan_.has_depth() ? "Z is that of the centre, which is no sample: one more pass"
+                             : "no channel is asked for that shows what is at the centre",
            costs_.centres);
   }
 
@@ -167,25 +167,25 @@ class Notes {
     const bool lit = smooth || flat;
     const char* const no_color = "no colour is asked for";
     note("lights", !plan_.lights.empty() && lit,
-         !plan_.color && !lit   ? no_color
-         : plan_.lights.empty() ? "no light in the scene: ambient light is part of the colour"
-         : lit                  ? plural(plan_.lights.size(), "light")
-                                : "nothing that is lit",
+         !plan_.has_color() && !lit ? no_color
+         : plan_.lights.empty()     ? "no light in the scene: ambient light is part of the colour"
+         : lit                      ? plural(plan_.lights.size(), "light")
+                                    : "nothing that is lit",
          costs_.lights);
     note("vertex normals", smooth,
-         smooth        ? "smooth shading"
-         : plan_.color ? "no smooth shading"
-                       : no_color,
+         smooth              ? "smooth shading"
+         : plan_.has_color() ? "no smooth shading"
+                             : no_color,
          costs_.normals);
     note("face light", flat,
-         flat          ? "flat shading: once a face"
-         : plan_.color ? "no flat shading"
-                       : no_color,
+         flat                ? "flat shading: once a face"
+         : plan_.has_color() ? "no flat shading"
+                             : no_color,
          costs_.face_light);
     note("vertex colours", tinted,
-         tinted        ? "the mesh has them"
-         : plan_.color ? "no mesh has them"
-                       : no_color,
+         tinted              ? "the mesh has them"
+         : plan_.has_color() ? "no mesh has them"
+                             : no_color,
          costs_.colors);
     note("lines", lines, lines ? "wireframe shading" : "no wireframe shading", costs_.lines);
     note("blending", false, "surfaces are opaque: the nearest one shows", 0);

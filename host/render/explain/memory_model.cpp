@@ -84,14 +84,14 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   BinPools pools;
   const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
   if (plan.samples > 1) add(need.bins, sizes.sample_fragments, "samples of small triangles");
-  if (plan.samples == 1 || plan.depth) add(need.bins, sizes.fragment_keys, "fragments of small triangles");
+  if (plan.samples == 1 || plan.has_depth()) add(need.bins, sizes.fragment_keys, "fragments of small triangles");
   add(need.bins, sizes.large, "large triangles");
   // Neither these nor the picture is a buffer that may be too large: where they do not fit, a device gets the lists of
   // fewer chunks, and the picture in as many pieces as it wants.
   need.bins += sizes.bins;
   const std::size_t samples = static_cast<std::size_t>(constants.tiles_x) *
                               static_cast<std::size_t>(constants.tiles_y) * layout::tile * layout::tile;
-  need.pixels = samples * ((plan.color ? 8u : 0u) + (plan.depth ? 4u : 0u));
+  need.pixels = samples * pixel_bytes(plan.channels);
   return need;
 }
 

@@ -75,7 +75,7 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
   work.lights = static_cast<double>(plan.lights.size());
   work.pixels = static_cast<double>(plan.width) * plan.height;
   work.reached_pixels = reach.reached_pixels;
-  work.bytes_per_pixel = (plan.color ? 8 : 0) + (plan.depth ? 4 : 0);
+  work.bytes_per_pixel = static_cast<double>(pixel_bytes(plan.channels));
   return work;
 }
 

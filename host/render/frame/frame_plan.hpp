@@ -37,6 +37,9 @@ struct Draw {
   std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
   // In place of the morphed positions; then targets move normals and colours only. Null for most objects.
   std::shared_ptr<const DisplacedPositions> displaced;
+  // What channels show of it; 0 where the plan's channels do not ask for it.
+  std::uint32_t object_id = 0, material_id = 0;
+  float crypto_object = 0, crypto_material = 0;  // ids of the names (host/cryptomatte_id.hpp)
 };
 
 struct EyeLight {
@@ -55,7 +58,7 @@ struct FramePlan {
   bool alone = false;  // its planner makes no other
   std::int64_t frame = 0, fps_numerator = 0, fps_denominator = 1;
   int width = 0, height = 0;
-  bool color = true, depth = true;
+  ChannelSet channels = default_channels;
   int samples = 1;  // a pixel, of which its colour and alpha are the mean; 1 without colour
   std::vector<Draw> draws;
   // Not 0: plans of one planner with the same number have the same draws, but for their targets' weights.
@@ -71,6 +74,10 @@ struct FramePlan {
   bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
   std::shared_ptr<const std::vector<BackgroundRow>> background;  // of each row; null: 0 in all four
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};               // for the image's attributes
+
+  bool has(Channel channel) const { return channels.contains(channel); }
+  bool has_color() const { return has(Channel::color); }
+  bool has_depth() const { return has(Channel::depth); }
 };
 
 }  // namespace morphcl

@@ -9,12 +9,11 @@ Plan::Plan(FramePlan plan) : plan_(std::make_shared<const FramePlan>(std::move(p
 std::int64_t Plan::frame() const { return plan_->frame; }
 int Plan::width() const { return plan_->width; }
 int Plan::height() const { return plan_->height; }
-bool Plan::has_color() const { return plan_->color; }
-bool Plan::has_depth() const { return plan_->depth; }
+ChannelSet Plan::channels() const { return plan_->channels; }
 
 FramePlan Plan::operator*() && { return *plan_; }
 
-FrameBuffer Plan::make_frame() const { return FrameBuffer(width(), height(), has_color(), has_depth()); }
+FrameBuffer Plan::make_frame() const { return FrameBuffer(width(), height(), channels()); }
 
 FrameAttributes Plan::attributes() const {
   return {.frame = plan_->frame,

@@ -40,12 +40,12 @@ class Digester {
 // Bytes in a row, in which nothing is left between the fields.
 struct FrameKey {
   std::int32_t width, height;
-  std::uint32_t color, depth, depth_format, samples;
+  std::uint32_t channels, depth_format, samples;
   CameraConstants camera;
   std::array<float, 3> ambient;
   std::uint32_t light_count, draw_count, background_rows;
 };
-static_assert(sizeof(FrameKey) == 12 * 4 + sizeof(CameraConstants));
+static_assert(sizeof(FrameKey) == 11 * 4 + sizeof(CameraConstants));
 
 struct LightKey {
   std::uint32_t kind, falloff;
@@ -60,9 +60,11 @@ struct DrawKey {
   std::array<Row, 4> object_to_clip;
   std::array<Row, 3> object_to_eye;
   std::array<std::array<float, 3>, 3> normal_to_eye;
+  std::uint32_t object_id, material_id;
+  float crypto_object, crypto_material;
   std::uint32_t target_count;
 };
-static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 46 * 4);
+static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 50 * 4);
 
 std::uint32_t count(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
@@ -74,12 +76,14 @@ void add(Digester& digester, const EyeLight& light) {
 }
 
 void add(Digester& digester, const Draw& draw) {
-  // Left out: the object's number.
+  // Left out: the object's number, which shows in object_id where that is asked for.
   const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
-               line_width, vertex_colors, lit_per_pixel, targets, accuracy, displaced] = draw;
+               line_width, vertex_colors, lit_per_pixel, targets, accuracy, displaced, object_id, material_id,
+               crypto_object, crypto_material] = draw;
   digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
                        vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u), base_color, object_to_clip,
-                       object_to_eye, normal_to_eye, count(targets.size())});
+                       object_to_eye, normal_to_eye, object_id, material_id, crypto_object, crypto_material,
+                       count(targets.size())});
   for (const ActiveTarget& target : targets) digester.add(target);
   if (displaced) digester.add(displaced->hash);
   const VertexAccuracy plain;
@@ -93,11 +97,11 @@ void add(Digester& digester, const Draw& draw) {
 
 PlanDigest pixel_digest(const FramePlan& plan) {
   // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
-  const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, color, depth, samples, draws,
+  const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, channels, samples, draws,
                draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices,
                keeps_blank_tiles, background, world_to_eye, world_to_ndc] = plan;
   Digester digester;
-  digester.add(FrameKey{width, height, color, depth, static_cast<std::uint32_t>(depth_format),
+  digester.add(FrameKey{width, height, channels.bits(), static_cast<std::uint32_t>(depth_format),
                         static_cast<std::uint32_t>(samples), camera, ambient, count(lights.size()), count(draws.size()),
                         background ? count(background->size()) : 0});
   if (background)

@@ -14,25 +14,40 @@ namespace {
 static_assert(FrameBuffer::tile_side == layout::tile && FrameBuffer::block_side == layout::tile_block);
 static_assert(background_depth == layout::background_depth);
 
-std::string shape(int width, int height, bool color, bool depth) {
-  const char* const channels = color ? depth ? "RGBA and Z" : "RGBA alone" : depth ? "Z alone" : "no channels";
-  return fmt::format("{} x {} pixels of {}", width, height, channels);
+std::string shape(int width, int height, ChannelSet channels) {
+  std::string names;
+  int left = channels.size();
+  for (const Channel channel : channels) {
+    const char* const separator = names.empty() ? "" : left == 1 ? " and " : ", ";
+    names += fmt::format("{}{}", separator, name_of(channel));
+    --left;
+  }
+  if (channels.size() < 2) names = channels.empty() ? "no channels" : names + " alone";
+  return fmt::format("{} x {} pixels of {}", width, height, names);
 }
 
 void require_fit(const FramePlan& plan, const FrameBuffer& frame) {
-  if (frame.width() == plan.width && frame.height() == plan.height && frame.has_color() == plan.color &&
-      frame.has_depth() == plan.depth)
-    return;
-  throw Error(ErrorKind::usage, "",
-              fmt::format("the plan draws {}, but the frame buffer has {}",
-                          shape(plan.width, plan.height, plan.color, plan.depth),
-                          shape(frame.width(), frame.height(), frame.has_color(), frame.has_depth())));
+  if (frame.width() == plan.width && frame.height() == plan.height && frame.channels() == plan.channels) return;
+  throw Error(
+      ErrorKind::usage, "",
+      fmt::format("the plan draws {}, but the frame buffer has {}", shape(plan.width, plan.height, plan.channels),
+                  shape(frame.width(), frame.height(), frame.channels())));
+}
+
+// What the renderers draw.
+constexpr ChannelSet drawn_channels{Channel::color, Channel::depth};
+
+void require_drawn(ChannelSet channels) {
+  for (const Channel channel : channels - drawn_channels)
+    throw Error(ErrorKind::usage, "",
+                fmt::format("channel {} is not drawn by this version: RGBA and Z are", name_of(channel)));
 }
 
 }  // namespace
 
 void Renderer::render(const Plan& plan, FrameBuffer& frame) {
   require_fit(*plan, frame);
+  require_drawn(plan->channels);
   if (!plan->alone) {
     if (planner_ != 0 && planner_ != plan->planner)
       throw Error(

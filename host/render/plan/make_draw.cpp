@@ -22,6 +22,7 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   const Object& object = context.scene.objects[object_index];
   draw.mesh = &context.scene.meshes[object.mesh];
   draw.object = static_cast<std::uint32_t>(object_index);
+  context.ids.set(object_index, draw);
   draw.double_sided = object.material.double_sided;
   draw.mirrored = glm::determinant(glm::dmat3(object_to_eye)) < 0.0;
   const glm::dvec4& base = object.material.base_color;
@@ -38,7 +39,7 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
     draw.shading = Shading::flat;
     draw.lit_per_pixel = std::any_of(context.plan.lights.begin(), context.plan.lights.end(), is_point);
   }
-  if (!context.plan.color && !context.keeps_normals) {
+  if (!context.plan.has_color() && !context.keeps_normals) {
     // Distances do not depend on colours.
     if (draw.shading != Shading::wireframe) draw.shading = Shading::unlit;
     draw.vertex_colors = false;

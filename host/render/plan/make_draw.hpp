@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/render/frame/frame_plan.hpp"
+#include "host/render/plan/draw_ids.hpp"
 
 namespace morphcl {
 
@@ -9,6 +10,7 @@ namespace morphcl {
 struct DrawContext {
   const Scene& scene;
   const FramePlan& plan;  // its lights and ambient light
+  const DrawIds& ids;
   bool keeps_normals;
 };
 

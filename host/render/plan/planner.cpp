@@ -11,6 +11,7 @@
 #include "anim/timeline_at.hpp"
 #include "host/geometry/bounds.hpp"
 #include "host/render/plan/choose_vertex_form.hpp"
+#include "host/render/plan/draw_ids.hpp"
 #include "host/render/plan/draw_memory.hpp"
 #include "host/render/plan/elastic_shapes.hpp"
 #include "host/render/plan/has_primitives.hpp"
@@ -109,7 +110,7 @@ void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FrameP
 
 // The colours at the rows' middles, in binary64, rounded to half once; null where colour or a background is not there.
 std::shared_ptr<const std::vector<BackgroundRow>> background_rows(const ImageSettings& image) {
-  if (!image.background || !image.color) return nullptr;
+  if (!image.background || !image.has_color()) return nullptr;
   const auto& [top, bottom] = *image.background;
   auto rows = std::make_shared<std::vector<BackgroundRow>>();
   for (int y = 0; y < image.height; ++y) {
@@ -150,6 +151,7 @@ struct Planner::Impl {
         nodes(s.timeline.nodes),
         tree(bounds_over_time(s, meshes, nodes)),
         facts(facts_of_objects(s, nodes)),
+        ids(s),
         background(background_rows(s.image)),
         margin(margin_of_lines(s)),
         weights(s),
@@ -179,6 +181,7 @@ struct Planner::Impl {
   NodeSampler nodes;
   const ObjectTree tree;
   const std::vector<ObjectFacts> facts;
+  const DrawIds ids;
   const std::shared_ptr<const std::vector<BackgroundRow>> background;
   const double margin;         // around the picture, pixels
   ObjectTree::InView in_view;  // of the last frame's view
@@ -205,9 +208,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.fps_denominator = timeline.time.fps_denominator;
   plan.width = scene.image.width;
   plan.height = scene.image.height;
-  plan.color = scene.image.color;
-  plan.depth = scene.image.depth;
-  plan.samples = plan.color ? scene.image.samples : 1;
+  plan.channels = scene.image.channels;
+  plan.samples = plan.has_color() ? scene.image.samples : 1;
   const int eye = timeline.camera.node;
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height, margin);
@@ -217,7 +219,7 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.ambient = to_array(timeline.ambient);
   for (std::size_t i = 0; i < timeline.lights.size(); ++i) {
     const LightState light = evaluate_light(timeline.lights[i], i, tick);
-    if (plan.color || !options.normals) add_light(light, plan);
+    if (plan.has_color() || !options.normals) add_light(light, plan);
   }
   plan.keeps_vertices = options.kept_vertices;
   plan.keeps_blank_tiles = options.blank_tiles;
@@ -245,7 +247,7 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
   }
   try {
     Draw& draw = before ? plan.draws.emplace_back(*before) : plan.draws.emplace_back();
-    if (!before) make_draw({scene, plan, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
+    if (!before) make_draw({scene, plan, ids, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
     if (object.is_still && !(before && same_targets(draw.targets, before->targets))) memory.replace();
     draw.displaced = displaced;

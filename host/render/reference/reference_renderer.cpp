@@ -58,7 +58,8 @@ void draw_centres(const FramePlan& plan, const RasterGrid& grid, const SceneVert
         const BackgroundRow pixel = background ? behind : opaque_pixel(reference::shade(plan, visible, vertices, x, y));
         for (std::size_t c = 0; c < 4; ++c) row.color[c][x] = pixel[c];
       }
-      if (plan.depth) row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
+      if (plan.has_depth())
+        row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
     }
   }
 }
@@ -77,7 +78,8 @@ void draw_samples(const FramePlan& plan, const RasterGrid& grid, const SceneVert
 void draw_rows(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
                const std::vector<RowMemory>& frame, reference::Visibility& visible) {
   const bool one_sample = plan.samples == 1;
-  if (one_sample || plan.depth) draw_centres(plan, grid, vertices, rows, plan.color && one_sample, frame, visible);
+  if (one_sample || plan.has_depth())
+    draw_centres(plan, grid, vertices, rows, plan.has_color() && one_sample, frame, visible);
   if (!one_sample) draw_samples(plan, grid, vertices, rows, frame, visible);
 }
 

@@ -28,14 +28,14 @@ void check_image(const ImageSettings& image) {
     if (size < 1 || size > max_image_size)
       fail(fmt::format("an image of {} x {} pixels; width and height reach from 1 to {}", image.width, image.height,
                        max_image_size));
-  if (!image.color && !image.depth) fail("no channel is asked for; choose RGBA, Z or both");
+  if (image.channels.empty()) fail("no channel is asked for; choose RGBA, Z or both");
   if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
     fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
   if (image.background) check_background(*image.background);
   if (std::ranges::find(sample_counts, image.samples) == sample_counts.end())
     fail(fmt::format("{} samples a pixel; 1, 2, 4, 8 or 16 are possible", image.samples));
   if (image.z_error == 0) return;
-  if (!image.depth)
+  if (!image.has_depth())
     fail(fmt::format("z_error is {} and there is no channel Z; ask for Z, or leave it 0", image.z_error));
   mantissa_bits_for(image.z_error);
 }

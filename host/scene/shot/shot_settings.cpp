@@ -48,7 +48,7 @@ void refuse_size_text(const ShotValue& size) {
 }
 
 void read_channels(const ShotValue& channels, ImageSettings& image) {
-  image.color = image.depth = false;
+  image.channels = {};
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ShotValue channel = channels[i];
     const std::string& name = channel.text();
@@ -56,9 +56,9 @@ void read_channels(const ShotValue& channels, ImageSettings& image) {
       channel.fail(fmt::format("channel \"{}\": not drawn by this version: RGBA and Z are", name));
     if (!holds(drawn_channels, name))
       channel.fail(fmt::format("unknown channel \"{}\"{}", name, suggestion(name, {"RGBA", "Z"})));
-    bool& wanted = name == "Z" ? image.depth : image.color;
-    if (wanted) channel.fail(fmt::format("channel \"{}\" is named twice", name));
-    wanted = true;
+    const Channel wanted = name == "Z" ? Channel::depth : Channel::color;
+    if (image.channels.contains(wanted)) channel.fail(fmt::format("channel \"{}\" is named twice", name));
+    image.channels.insert(wanted);
   }
   if (channels.size() == 0) channels.fail("channels is empty; name RGBA, Z or both");
 }
@@ -166,7 +166,8 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
   if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
   if (const auto background = table.find("background")) settings.background = read_background(*background);
-  if (const auto error = table.find("z_error")) settings.z_error = read_channel_error(*error, "Z", settings.depth);
+  if (const auto error = table.find("z_error"))
+    settings.z_error = read_channel_error(*error, "Z", settings.has_depth());
   return settings;
 }
 

@@ -42,7 +42,7 @@ Scene scene_of_edges(bool quick) {
   Scene scene;
   scene.image.width = quick ? 96 : 320;
   scene.image.height = quick ? 54 : 180;
-  scene.image.depth = false;
+  scene.image.channels.erase(Channel::depth);
   scene.frames = {{.first = 0, .last = 0}};
   scene.timeline.camera.eye = {1.1, 1.9, 2.7};
   scene.timeline.camera.projection = Perspective{.fovy_degrees = 45, .near = 0.1, .far = 100};

@@ -155,7 +155,7 @@ class SceneRun {
     Scene scene = test_.scene;
     scene.image.depth_format = format;
     const Plan plan = plan_frame(scene, 0);
-    FrameBuffer pixels(width, height, true, true);
+    FrameBuffer pixels(width, height, {Channel::color, Channel::depth});
     const auto renderer = make_reference_renderer();
     renderer->render(plan, pixels);
     Result drawn = result(("depth as " + std::string(name_of(format))).c_str(), "host");
@@ -166,7 +166,7 @@ class SceneRun {
   }
 
   void draw(const char* name, Renderer& renderer, const Plan& plan, const char* where) {
-    FrameBuffer pixels(width, height, true, true);
+    FrameBuffer pixels(width, height, {Channel::color, Channel::depth});
     renderer.render(plan, pixels);
     Result drawn = result(name, where == std::string("host") ? "host" : "device");
     drawn.figures = figures_of(compare_with_fp64(test_.scene, *plan_, pixels, shown_, Truth::on_grid));

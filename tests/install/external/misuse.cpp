@@ -45,7 +45,7 @@ void misuse() {
 #elif MISUSE == 13  // results into memory that is only read
   Vertices<double> results = Vertices<const double>::xyz({});
 #elif MISUSE == 14
-  make_reference_renderer()->render(plan_frame(scene, 0), FrameBuffer(1, 1, true, true));
+  make_reference_renderer()->render(plan_frame(scene, 0), FrameBuffer(1, 1, {Channel::color, Channel::depth}));
 #elif MISUSE == 15
   decompose(single);
 #endif

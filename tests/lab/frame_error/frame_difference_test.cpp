@@ -115,12 +115,12 @@ TEST(FrameDifference, TheGridIsTheOnlyDifferenceOfTheTwoTruths) {
 
 TEST(FrameDifference, PicturesWithoutColorOrDepthAreComparedByWhatTheyHave) {
   Scene scene = test::pyramid_to_cube(squares_width, squares_height);
-  scene.image.color = false;
+  scene.image.channels.erase(Channel::color);
   const FrameDifference depth_only = compare_frame(scene, scene, 0);
   EXPECT_EQ(depth_only.total.color.all.count, 0u);
   EXPECT_GT(depth_only.total.depth.all.count, 100u);
-  scene.image.color = true;
-  scene.image.depth = false;
+  scene.image.channels.insert(Channel::color);
+  scene.image.channels.erase(Channel::depth);
   const FrameDifference color_only = compare_frame(scene, scene, 0);
   EXPECT_EQ(color_only.total.depth.all.count, 0u);
   EXPECT_GT(color_only.total.color.all.count, 100u);
