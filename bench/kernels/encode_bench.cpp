@@ -120,11 +120,11 @@ std::size_t stock_file(const FrameBuffer& frame, Imf::Compression compression, i
   Imf::Header header(frame.width(), frame.height());
   header.compression() = compression;
   header.zipCompressionLevel() = zip_level;
-  for (const char* name : color_channel_names) header.channels().insert(name, Imf::Channel(Imf::HALF));
-  if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
+  const std::vector<NamedPlane> planes = named_planes(frame.channels(), ChannelNames::plain);
+  header.channels() = channel_list(planes);
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, 0);
-  file.setFrameBuffer(planes_to_write(frame));
+  file.setFrameBuffer(slices_to_write(frame, planes));
   file.writePixels(frame.height());
   return bytes.size();
 }

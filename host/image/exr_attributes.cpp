@@ -11,6 +11,8 @@
 #include <limits>
 #include <optional>
 
+#include "host/image/cryptomatte_attributes.hpp"
+#include "host/image/exr_planes.hpp"
 #include "morphcl/error.hpp"
 
 namespace morphcl {
@@ -104,7 +106,11 @@ void add_attributes(Imf::Header& header, const FrameAttributes& attributes, cons
   const ScreenWindow window = screen_window(attributes);
   header.screenWindowCenter() = window.center;
   header.screenWindowWidth() = window.width;
-  Imf::addChromaticities(header, Imf::Chromaticities());
+  if (!(channels_of(planes_in(header.channels())) & ChannelSet{Channel::color, Channel::albedo}).empty()) {
+    Imf::addChromaticities(header, Imf::Chromaticities());
+    header.insert("colorInteropID", Imf::StringAttribute("lin_rec709_scene"));
+  }
+  add_cryptomatte(header, attributes);
   header.insert(fingerprint_attribute, Imf::StringAttribute(attributes.fingerprint));
   if (!attributes.deviation.empty()) header.insert(deviation_attribute, Imf::StringAttribute(attributes.deviation));
   if (attributes.z_error != 0) header.insert(z_error_attribute, Imf::DoubleAttribute(attributes.z_error));

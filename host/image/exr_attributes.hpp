@@ -9,11 +9,12 @@
 
 namespace morphcl {
 
-// framesPerSecond, imageCounter, timeCode, worldToCamera, worldToNDC, screenWindowCenter/Width, chromaticities
-// (Rec.709), morphclFingerprint, where there is something to say morphclDeviation and morphclZError, pixelHash.
-// timeCode counts whole seconds of round(fps) frames (no drop frame) and wraps at 24 hours; it is left out where SMPTE
-// has no number for it: below 1 or above 30 frames a second. Error(usage) for a rate or a frame number outside
-// OpenEXR's integers.
+// To a header that has its channels: framesPerSecond, imageCounter, timeCode, worldToCamera, worldToNDC,
+// screenWindowCenter/Width, of frames with colour chromaticities (Rec. 709) and colorInteropID (lin_rec709_scene, of
+// the Color Interop Forum), of those with Cryptomatte layers what add_cryptomatte() says, morphclFingerprint, where
+// there is something to say morphclDeviation and morphclZError, pixelHash. timeCode counts whole seconds of round(fps)
+// frames (no drop frame) and wraps at 24 hours; it is left out where SMPTE has no number for it: below 1 or above 30
+// frames a second. Error(usage) for a rate or a frame number outside OpenEXR's integers.
 void add_attributes(Imf::Header& header, const FrameAttributes& attributes, const std::string& pixel_hash);
 
 // What of it a header holds; the defaults of FrameAttributes for the rest.

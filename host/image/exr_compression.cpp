@@ -52,6 +52,16 @@ const std::vector<std::string>& compression_names() {
 
 void check_compression(const std::string& name) { exr_compression(name); }
 
+void check_compression(const std::string& name, ChannelSet channels) {
+  const bool lossless = is_lossless(exr_compression(name));
+  for (const Channel channel : channels& cryptomatte_channels)
+    if (!lossless)
+      throw Error(ErrorKind::usage, "",
+                  fmt::format("the compression {} is lossy, and {} holds ids, which it would change; none, rle, zips, "
+                              "zip, zip:small and piz keep every bit",
+                              name, name_of(channel)));
+}
+
 Imf::Compression exr_compression(const std::string& name) {
   for (const Entry& entry : compression_table)
     if (entry.name == name) return entry.compression;

@@ -33,17 +33,13 @@ auto with_errors(Read read) {
 }
 
 FrameBuffer read_pixels(Imf::InputFile& file) {
-  const Imf::ChannelList& channels = file.header().channels();
-  const bool color = std::any_of(color_channel_names.begin(), color_channel_names.end(),
-                                 [&](const char* name) { return channels.findChannel(name) != nullptr; });
-  const bool depth = channels.findChannel(depth_channel_name) != nullptr;
-  if (!color && !depth) throw Error(ErrorKind::bad_input, "", "has none of the channels R, G, B, A, Z");
+  const std::vector<NamedPlane> planes = planes_in(file.header().channels());
+  if (planes.empty())
+    throw Error(ErrorKind::bad_input, "",
+                "has none of the channels of a frame: R, G, B, A, Z and those of N, P and so on");
   const Imath::Box2i window = file.header().dataWindow();
-  ChannelSet channels_of_frame;
-  channels_of_frame.set(Channel::color, color);
-  channels_of_frame.set(Channel::depth, depth);
-  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels_of_frame);
-  file.setFrameBuffer(planes_of(frame, window.min.x, window.min.y));
+  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels_of(planes));
+  file.setFrameBuffer(slices_to_read(frame, planes, window.min.x, window.min.y));
   file.readPixels(window.min.y, window.max.y);
   return frame;
 }

@@ -28,14 +28,13 @@ Imf::Header make_header(const FrameBuffer& frame, const FrameAttributes& attribu
   Imf::Header header(frame.width(), frame.height());
   header.compression() = compression;
   header.zipCompressionLevel() = zips_level;
-  if (frame.has_color())
-    for (const char* name : color_channel_names) header.channels().insert(name, Imf::Channel(Imf::HALF));
-  if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
+  header.channels() = channel_list(named_planes(frame.channels(), attributes.channel_names));
   add_attributes(header, attributes, hash);
   return header;
 }
 
-void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header, int threads) {
+void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const Imf::Header& header,
+                       ChannelNames names, int threads) {
   if (threads > 1 && threads > Imf::globalThreadCount()) {
     try {
       Imf::setGlobalThreadCount(threads);
@@ -45,7 +44,7 @@ void encode_by_library(std::vector<char>& bytes, const FrameBuffer& frame, const
   }
   MemoryOutput output(bytes);
   Imf::OutputFile file(output, header, threads > 1 ? threads : 0);
-  file.setFrameBuffer(planes_to_write(frame));
+  file.setFrameBuffer(slices_to_write(frame, named_planes(frame.channels(), names)));
   file.writePixels(frame.height());
 }
 
@@ -62,13 +61,14 @@ std::string encode_exr(std::vector<char>& bytes, const FrameBuffer& frame, const
                        const std::string& compression, int threads) {
   if (frame.channels().empty()) throw Error(ErrorKind::usage, "", "a frame without channels; ask for RGBA or Z");
   const Imf::Compression method = exr_compression(compression);
+  check_compression(compression, frame.channels());
   const std::string hash = pixel_hash(frame);
   try {
     const Imf::Header header = make_header(frame, attributes, method, hash);
     if (method == Imf::ZIP_COMPRESSION)
-      encode_exr_zip(bytes, header, frame, zip_effort(compression), threads);
+      encode_exr_zip(bytes, header, frame, attributes.channel_names, zip_effort(compression), threads);
     else
-      encode_by_library(bytes, frame, header, threads);
+      encode_by_library(bytes, frame, header, attributes.channel_names, threads);
     if (is_lossless(method)) return hash;
     const std::string decoded_hash = decode_exr(bytes).hash;
     replace_hash(bytes, hash, decoded_hash);

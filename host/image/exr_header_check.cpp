@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "host/image/channel_planes.hpp"
 #include "host/image/exr_compression.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/frame.hpp"
@@ -143,8 +144,7 @@ void check_channels(HeaderBytes& header, std::uint64_t end, Part& part) {
     if (count++ == max_channels) refuse(fmt::format("more than {} channels", max_channels));
     if (header.position() + bytes_after_name >= end) refuse("the channel list is cut off");
     const std::uint64_t after = header.position() + bytes_after_name;
-    if (name == "R" || name == "G" || name == "B" || name == "A" || name == "Z")
-      part.pixel_bytes += header.word() == Imf::HALF ? 2 : 4;
+    if (is_plane_name(name)) part.pixel_bytes += header.word() == Imf::HALF ? 2 : 4;
     header.skip_to(after);
   }
   if (header.position() != end) refuse("the channel list is shorter than its attribute");

@@ -1,22 +1,31 @@
-// The channels of a FrameBuffer as OpenEXR sees them.
+// The planes of a FrameBuffer as OpenEXR sees them.
 #pragma once
 
+#include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 
-#include <array>
+#include <optional>
+#include <vector>
 
+#include "host/image/channel_planes.hpp"
 #include "morphcl/frame.hpp"
 
 namespace morphcl {
 
-inline constexpr std::array<const char*, 4> color_channel_names{"R", "G", "B", "A"};  // in FrameBuffer's order
-inline constexpr const char* depth_channel_name = "Z";
+// The channels of a file that holds these planes.
+Imf::ChannelList channel_list(const std::vector<NamedPlane>& planes);
 
-// Slices on the channels of `frame`, whose pixel (0, 0) is (first_x, first_y) of the file's data window. A channel that
-// a file lacks is read as 0, A as 1.
-Imf::FrameBuffer planes_of(FrameBuffer& frame, int first_x, int first_y);
+// What a file's channels are of a frame, in the file's order: those that are planes under one of ChannelNames, for each
+// channel of the frame the first under which there is any.
+std::vector<NamedPlane> planes_in(const Imf::ChannelList& channels);
+ChannelSet channels_of(const std::vector<NamedPlane>& planes);
+
+// Slices on the planes of `frame`, whose pixel (0, 0) is (first_x, first_y) of the file's data window: by the names of
+// `planes`, and by plain ones where a channel's plane is not among them. Such a one, which the file lacks, is read as
+// 0, A as 1.
+Imf::FrameBuffer slices_to_read(FrameBuffer& frame, const std::vector<NamedPlane>& planes, int first_x, int first_y);
 
 // The same of the whole frame for a writer, which only reads them.
-Imf::FrameBuffer planes_to_write(const FrameBuffer& frame);
+Imf::FrameBuffer slices_to_write(const FrameBuffer& frame, const std::vector<NamedPlane>& planes);
 
 }  // namespace morphcl

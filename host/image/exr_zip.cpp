@@ -31,11 +31,11 @@ void append(std::vector<char>& bytes, const void* values, std::size_t count) {
 // Appends the chunks first to last - 1 of the frame. The encoder is kept by the thread: fresh memory costs more than
 // the work in it.
 void encode_chunks(std::vector<char>& bytes, std::vector<std::uint64_t>& offsets, const FrameBuffer& frame,
-                   ZlibEffort effort, int first, int last) {
+                   std::span<const NamedPlane> planes, ZlibEffort effort, int first, int last) {
   thread_local std::array<std::unique_ptr<ExrZipChunks>, 2> encoders;
   std::unique_ptr<ExrZipChunks>& chunks = encoders[effort == ZlibEffort::small];
   if (!chunks) chunks = std::make_unique<ExrZipChunks>(effort);
-  chunks->begin(frame);
+  chunks->begin(frame, planes);
   for (int chunk = first; chunk < last; ++chunk) {
     const std::int32_t first_line = chunk * zip_chunk_lines;
     const std::span<const std::uint8_t> data = chunks->encode(first_line);
@@ -57,12 +57,14 @@ void write_header(std::vector<char>& bytes, const Imf::Header& header) {
 }
 
 // Runs of chunks by further threads, in the order of the file.
-std::vector<ChunkRun> encode_with_threads(const FrameBuffer& frame, ZlibEffort effort, int chunk_count, int threads) {
+std::vector<ChunkRun> encode_with_threads(const FrameBuffer& frame, std::span<const NamedPlane> planes,
+                                          ZlibEffort effort, int chunk_count, int threads) {
   std::vector<ChunkRun> runs(static_cast<std::size_t>(threads));
   const auto encode_run = [&](int i) {
     ChunkRun& run = runs[static_cast<std::size_t>(i)];
     try {
-      encode_chunks(run.bytes, run.offsets, frame, effort, chunk_count * i / threads, chunk_count * (i + 1) / threads);
+      encode_chunks(run.bytes, run.offsets, frame, planes, effort, chunk_count * i / threads,
+                    chunk_count * (i + 1) / threads);
     } catch (...) {
       run.failure = std::current_exception();
     }
@@ -77,21 +79,23 @@ std::vector<ChunkRun> encode_with_threads(const FrameBuffer& frame, ZlibEffort e
 
 }  // namespace
 
-void encode_exr_zip(std::vector<char>& bytes, const Imf::Header& header, const FrameBuffer& frame, ZlibEffort effort,
-                    int threads) {
+void encode_exr_zip(std::vector<char>& bytes, const Imf::Header& header, const FrameBuffer& frame, ChannelNames names,
+                    ZlibEffort effort, int threads) {
   write_header(bytes, header);
   const std::size_t table = bytes.size();
   const int chunk_count = (frame.height() + zip_chunk_lines - 1) / zip_chunk_lines;
   bytes.resize(table + static_cast<std::size_t>(chunk_count) * sizeof(std::uint64_t));
 
+  const std::vector<NamedPlane> planes = named_planes(frame.channels(), names);
   std::vector<std::uint64_t> offsets;
   if (threads > 1) {
-    for (const ChunkRun& run : encode_with_threads(frame, effort, chunk_count, std::min(threads, chunk_count))) {
+    for (const ChunkRun& run :
+         encode_with_threads(frame, planes, effort, chunk_count, std::min(threads, chunk_count))) {
       for (const std::uint64_t offset : run.offsets) offsets.push_back(bytes.size() + offset);
       append(bytes, run.bytes.data(), run.bytes.size());
     }
   } else {
-    encode_chunks(bytes, offsets, frame, effort, 0, chunk_count);
+    encode_chunks(bytes, offsets, frame, planes, effort, 0, chunk_count);
   }
   std::memcpy(bytes.data() + table, offsets.data(), offsets.size() * sizeof offsets[0]);
 }

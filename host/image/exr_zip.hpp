@@ -12,9 +12,9 @@
 namespace morphcl {
 
 // Replaces `bytes` by the file: one part of scan lines from the top, `header` (which says ZIP_COMPRESSION and has the
-// channels and the size of `frame`), offset table, chunks. `threads` >= 1 share the chunks of the frame; the bytes do
-// not depend on them.
-void encode_exr_zip(std::vector<char>& bytes, const Imf::Header& header, const FrameBuffer& frame, ZlibEffort effort,
-                    int threads);
+// size of `frame` and its channels as named_planes(frame.channels(), names)), offset table, chunks. `threads` >= 1
+// share the chunks of the frame; the bytes do not depend on them.
+void encode_exr_zip(std::vector<char>& bytes, const Imf::Header& header, const FrameBuffer& frame, ChannelNames names,
+                    ZlibEffort effort, int threads);
 
 }  // namespace morphcl

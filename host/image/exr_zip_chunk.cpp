@@ -1,7 +1,6 @@
 #include "host/image/exr_zip_chunk.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include "host/image/exr_byte_split.hpp"
@@ -19,8 +18,9 @@ std::size_t line_bytes(const FrameBuffer& frame) {
   return static_cast<std::size_t>(frame.width()) * pixel_bytes(frame.channels());
 }
 
-void ExrZipChunks::begin(const FrameBuffer& frame) {
+void ExrZipChunks::begin(const FrameBuffer& frame, std::span<const NamedPlane> planes) {
   frame_ = &frame;
+  planes_ = planes;
   lines_before_ = 0;
   const std::size_t bytes = line_bytes(frame) * static_cast<std::size_t>(std::min(frame.height(), zip_chunk_lines));
   for (auto* buffer : {&prepared_, &prepared_before_, &data_})
@@ -29,21 +29,19 @@ void ExrZipChunks::begin(const FrameBuffer& frame) {
 
 void ExrZipChunks::prepare(int first_line, int lines) {
   ExrByteSplit split(prepared_.data(), line_bytes(*frame_) * static_cast<std::size_t>(lines));
-  const auto add = [&split](const auto& row, const PixelSpan& span, std::uint16_t blank, std::uint16_t next_blank) {
-    const std::size_t pairs = span.count * sizeof row[0] / sizeof blank;
-    if (span.blank)
-      split.add_by_turns(blank, next_blank, pairs);
-    else
-      split.add(row.data() + span.first, pairs);
-  };
-  constexpr auto background = std::bit_cast<std::uint32_t>(background_depth);
-  for (int y = first_line; y < first_line + lines; ++y) {
-    if (frame_->has_color())
-      for (const int channel : alphabetical_channels)
-        for (const PixelSpan& span : spans_) add(frame_->color_row(channel, y), span, 0, 0);
-    if (frame_->has_depth())
-      for (const PixelSpan& span : spans_) add(frame_->depth_row(y), span, background & 0xffff, background >> 16);
-  }
+  for (int y = first_line; y < first_line + lines; ++y)
+    for (const NamedPlane& plane : planes_) {
+      const std::byte* const row = frame_->plane_row(plane.channel, plane.plane, y).data();
+      const std::size_t element_bytes = bytes_of(plane_type(plane.channel));
+      const std::uint32_t background = background_bits(plane.channel);
+      for (const PixelSpan& span : spans_) {
+        const std::size_t pairs = span.count * element_bytes / 2;
+        if (span.blank)
+          split.add_by_turns(background & 0xffff, static_cast<std::uint16_t>(background >> 16), pairs);
+        else
+          split.add(row + span.first * element_bytes, pairs);
+      }
+    }
   split.finish();
 }
 
@@ -61,27 +59,21 @@ std::uint32_t ExrZipChunks::checksum(int lines) const {
     }
     at += bytes;
   };
-  for (int i = 0; i < 2 * lines; ++i) {  // of both halves
-    for (int channel = 0; frame_->has_color() && channel < 4; ++channel)
-      for (const PixelSpan& span : spans_) add(span, span.count);
-    for (const PixelSpan& span : spans_)
-      if (frame_->has_depth()) add(span, 2 * span.count);
-  }
+  for (int i = 0; i < 2 * lines; ++i)  // of both halves
+    for (const NamedPlane& plane : planes_)
+      for (const PixelSpan& span : spans_) add(span, span.count * bytes_of(plane_type(plane.channel)) / 2);
   adler.add(from, static_cast<std::size_t>(at - from));
   return adler.value();
 }
 
 void ExrZipChunks::store(int first_line, int lines) {
   std::uint8_t* out = data_.data();
-  const auto append = [&](const auto& line) {
-    std::memcpy(out, line.data(), line.size_bytes());
-    out += line.size_bytes();
-  };
-  for (int y = first_line; y < first_line + lines; ++y) {
-    if (frame_->has_color())
-      for (const int channel : alphabetical_channels) append(frame_->color_row(channel, y));
-    if (frame_->has_depth()) append(frame_->depth_row(y));
-  }
+  for (int y = first_line; y < first_line + lines; ++y)
+    for (const NamedPlane& plane : planes_) {
+      const std::span<const std::byte> row = frame_->plane_row(plane.channel, plane.plane, y);
+      std::memcpy(out, row.data(), row.size());
+      out += row.size();
+    }
 }
 
 std::span<const std::uint8_t> ExrZipChunks::encode(int first_line) {

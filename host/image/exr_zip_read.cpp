@@ -9,7 +9,6 @@
 #include <cstring>
 #include <memory>
 #include <new>
-#include <string_view>
 #include <vector>
 
 #include "host/image/exr_byte_merge.hpp"
@@ -20,23 +19,21 @@ namespace morphcl {
 
 namespace {
 
-// Nothing for other channels than R, G, B, A as half and Z as float.
-std::optional<ChannelSet> frame_channels(const Imf::ChannelList& channels) {
-  int color = 0, depth = 0, all = 0;
+// The planes of a frame in the file's order. Nothing where some channel is none of them, a channel of the frame lacks
+// planes, or a type is another one.
+std::optional<std::vector<NamedPlane>> frame_planes(const Imf::ChannelList& channels) {
+  std::vector<NamedPlane> planes = planes_in(channels);
+  std::size_t all = 0;
   for (auto i = channels.begin(); i != channels.end(); ++i, ++all) {
-    const std::string_view name = i.name();
     const Imf::Channel& channel = i.channel();
     if (channel.xSampling != 1 || channel.ySampling != 1) return std::nullopt;
-    if (std::find(color_channel_names.begin(), color_channel_names.end(), name) != color_channel_names.end())
-      color += channel.type == Imf::HALF;
-    else if (name == depth_channel_name)
-      depth += channel.type == Imf::FLOAT;
+    if (all < planes.size() && channel.type != static_cast<Imf::PixelType>(plane_type(planes[all].channel)))
+      return std::nullopt;
   }
-  if (all == 0 || all != color + depth || (color != 0 && color != 4)) return std::nullopt;
-  ChannelSet found;
-  found.set(Channel::color, color == 4);
-  found.set(Channel::depth, depth == 1);
-  return found;
+  std::size_t whole = 0;
+  for (const Channel channel : channels_of(planes)) whole += static_cast<std::size_t>(plane_count(channel));
+  if (all == 0 || all != planes.size() || all != whole) return std::nullopt;
+  return planes;
 }
 
 // For one thread; its memory is kept from file to file.
@@ -48,7 +45,8 @@ class ChunkReader {
 
   // Reads the chunk that stands at `offset` and has this first line into the lines of the frame from y on. False when
   // there is no such chunk.
-  bool read(SizedInput& input, std::uint64_t offset, std::int32_t first_line, FrameBuffer& frame, int y) {
+  bool read(SizedInput& input, std::uint64_t offset, std::int32_t first_line, FrameBuffer& frame,
+            const std::vector<NamedPlane>& planes, int y) {
     const int lines = std::min(zip_chunk_lines, frame.height() - y);
     const std::size_t bytes = line_bytes(frame) * static_cast<std::size_t>(lines);
     std::array<std::int32_t, 2> opening{};  // first line, bytes of the data
@@ -59,7 +57,7 @@ class ChunkReader {
     data_.resize(std::max(data_.size(), bytes));
     input.read(data_.data(), opening[1]);
     if (data_bytes == bytes) {
-      copy_lines(frame, y, lines);
+      copy_lines(frame, planes, y, lines);
       return true;
     }
     prepared_.resize(std::max(prepared_.size(), bytes));
@@ -67,7 +65,7 @@ class ChunkReader {
         LIBDEFLATE_SUCCESS)
       return false;
     add_up_differences(prepared_.data(), bytes);
-    merge_lines(frame, y, lines, bytes / 2);
+    merge_lines(frame, planes, y, lines, bytes / 2);
     return true;
   }
 
@@ -76,30 +74,31 @@ class ChunkReader {
     void operator()(libdeflate_decompressor* inflater) const { libdeflate_free_decompressor(inflater); }
   };
 
-  // Calls `take` with the pixels of each channel of each line in a chunk's order.
+  // Calls `take` with the bytes of each plane of each line in a chunk's order.
   template <class Take>
-  static void for_each_row(FrameBuffer& frame, int y, int lines, Take take) {
-    for (int line = y; line < y + lines; ++line) {
-      if (frame.has_color())
-        for (const int channel : alphabetical_channels) take(frame.color_row(channel, line));
-      if (frame.has_depth()) take(frame.depth_row(line));
-    }
+  static void for_each_row(FrameBuffer& frame, const std::vector<NamedPlane>& planes, int y, int lines, Take take) {
+    std::byte* const memory = frame.data();
+    for (int line = y; line < y + lines; ++line)
+      for (const NamedPlane& plane : planes)
+        take(memory + static_cast<std::size_t>(line) * frame.row_bytes() +
+                 frame.plane_offset(plane.channel, plane.plane),
+             static_cast<std::size_t>(frame.width()) * bytes_of(plane_type(plane.channel)));
   }
 
-  void copy_lines(FrameBuffer& frame, int y, int lines) const {
+  void copy_lines(FrameBuffer& frame, const std::vector<NamedPlane>& planes, int y, int lines) const {
     const char* from = data_.data();
-    for_each_row(frame, y, lines, [&from](const auto& row) {
-      std::memcpy(row.data(), from, row.size_bytes());
-      from += row.size_bytes();
+    for_each_row(frame, planes, y, lines, [&from](std::byte* row, std::size_t bytes) {
+      std::memcpy(row, from, bytes);
+      from += bytes;
     });
   }
 
-  void merge_lines(FrameBuffer& frame, int y, int lines, std::size_t pairs) const {
+  void merge_lines(FrameBuffer& frame, const std::vector<NamedPlane>& planes, int y, int lines,
+                   std::size_t pairs) const {
     const std::uint8_t* even = prepared_.data();
-    for_each_row(frame, y, lines, [&even, pairs](const auto& row) {
-      const std::size_t count = row.size_bytes() / 2;
-      merge_bytes(row.data(), even, even + pairs, count);
-      even += count;
+    for_each_row(frame, planes, y, lines, [&even, pairs](std::byte* row, std::size_t bytes) {
+      merge_bytes(row, even, even + pairs, bytes / 2);
+      even += bytes / 2;
     });
   }
 
@@ -108,15 +107,17 @@ class ChunkReader {
   std::vector<std::uint8_t> prepared_;
 };
 
-std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& window, ChannelSet channels) {
+std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& window,
+                                       const std::vector<NamedPlane>& planes) {
   thread_local ChunkReader reader;
-  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels);
+  FrameBuffer frame(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels_of(planes));
   const int chunks = (frame.height() + zip_chunk_lines - 1) / zip_chunk_lines;
   std::vector<std::uint64_t> offsets(static_cast<std::size_t>(chunks));
   input.read(reinterpret_cast<char*>(offsets.data()), chunks * static_cast<int>(sizeof offsets[0]));
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const int y = chunk * zip_chunk_lines;
-    if (!reader.read(input, offsets[static_cast<std::size_t>(chunk)], window.min.y + y, frame, y)) return std::nullopt;
+    if (!reader.read(input, offsets[static_cast<std::size_t>(chunk)], window.min.y + y, frame, planes, y))
+      return std::nullopt;
   }
   return frame;
 }
@@ -126,9 +127,9 @@ std::optional<FrameBuffer> read_chunks(SizedInput& input, const Imath::Box2i& wi
 std::optional<FrameBuffer> read_exr_zip(SizedInput& input, const Imf::Header& header) {
   try {
     if (header.compression() != Imf::ZIP_COMPRESSION || header.lineOrder() != Imf::INCREASING_Y) return std::nullopt;
-    const std::optional<ChannelSet> channels = frame_channels(header.channels());
-    if (!channels) return std::nullopt;
-    return read_chunks(input, header.dataWindow(), *channels);
+    const std::optional<std::vector<NamedPlane>> planes = frame_planes(header.channels());
+    if (!planes) return std::nullopt;
+    return read_chunks(input, header.dataWindow(), *planes);
   } catch (const Iex::BaseExc&) {
     return std::nullopt;
   }

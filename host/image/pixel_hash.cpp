@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <bit>
 #include <new>
-#include <type_traits>
 #include <vector>
 
 #include "host/image/blank_spans.hpp"
+#include "host/image/channel_planes.hpp"
 
 namespace morphcl {
 
@@ -37,7 +37,7 @@ PixelHasher::PixelHasher() : state_(std::make_unique<State>()) {
 
 PixelHasher::~PixelHasher() = default;
 
-void PixelHasher::begin_channel(std::string_view name, Type type, const Window& window) {
+void PixelHasher::begin_channel(std::string_view name, PixelType type, const Window& window) {
   XXH3_128bits_update(state_->xxh, name.data(), name.size());
   const char end_of_name = 0;
   XXH3_128bits_update(state_->xxh, &end_of_name, 1);
@@ -52,39 +52,42 @@ std::string PixelHasher::hex() const { return hex_digits(XXH3_128bits_digest(sta
 
 namespace {
 
+// Blank pixels that are hashed at once.
 constexpr std::size_t run_pixels = 16384;
 
-template <class T>
-const std::array<T, run_pixels>& blank_run() {
-  static const std::array<T, run_pixels> run = [] {
-    std::array<T, run_pixels> pixels{};
-    if constexpr (std::is_same_v<T, float>) pixels.fill(background_depth);
-    return pixels;
+const std::array<std::uint32_t, run_pixels>& blank_run(Channel channel) {
+  static const auto zeros = std::make_unique<std::array<std::uint32_t, run_pixels>>();
+  static const auto distances = [] {
+    auto run = std::make_unique<std::array<std::uint32_t, run_pixels>>();
+    run->fill(background_bits(Channel::depth));
+    return run;
   }();
-  return run;
+  return background_bits(channel) == 0 ? *zeros : *distances;
 }
 
-// The pixels of a channel, the blank ones in as few pieces as can be: with each the hash moves some hundred bytes to
-// and from a buffer of its own.
-template <class T>
+// The pixels of a plane, the blank ones in as few pieces as can be: with each the hash moves some hundred bytes to and
+// from a buffer of its own.
 class RowHasher {
  public:
-  explicit RowHasher(PixelHasher& hasher) : hasher_(hasher) {}
-  void add(std::span<const T> row, const PixelSpan& span) {
+  RowHasher(PixelHasher& hasher, Channel channel)
+      : hasher_(hasher), blank_run_(blank_run(channel).data()), element_bytes_(bytes_of(plane_type(channel))) {}
+  void add(std::span<const std::byte> row, const PixelSpan& span) {
     if (span.blank) {
       blank_ += span.count;
       return;
     }
     finish();
-    hasher_.add_row(row.data() + span.first, span.count * sizeof(T));
+    hasher_.add_row(row.data() + span.first * element_bytes_, span.count * element_bytes_);
   }
   void finish() {
     for (; blank_ > 0; blank_ -= std::min(blank_, run_pixels))
-      hasher_.add_row(blank_run<T>().data(), std::min(blank_, run_pixels) * sizeof(T));
+      hasher_.add_row(blank_run_, std::min(blank_, run_pixels) * element_bytes_);
   }
 
  private:
   PixelHasher& hasher_;
+  const std::uint32_t* const blank_run_;
+  const std::size_t element_bytes_;
   std::size_t blank_ = 0;  // pixels, not added yet
 };
 
@@ -94,25 +97,17 @@ std::string pixel_hash(const FrameBuffer& frame) {
   PixelHasher hasher;
   std::vector<PixelSpan> spans;
   const PixelHasher::Window window{0, 0, frame.width() - 1, frame.height() - 1};
-  // row_of: a row's pixels in one channel.
-  const auto add_channel = [&](std::string_view name, PixelHasher::Type type, const auto& row_of) {
-    hasher.begin_channel(name, type, window);
-    constexpr int side = FrameBuffer::block_side;
-    RowHasher<std::remove_cvref_t<decltype(row_of(0)[0])>> rows(hasher);
+  constexpr int side = FrameBuffer::block_side;
+  for (const NamedPlane& plane : named_planes(frame.channels(), ChannelNames::plain)) {
+    hasher.begin_channel(plane.name, plane_type(plane.channel), window);
+    RowHasher rows(hasher, plane.channel);
     for (int y = 0; y < frame.height(); ++y) {
       if (y % side == 0) find_spans(spans, frame, y / side);
-      const auto row = row_of(y);
+      const std::span<const std::byte> row = frame.plane_row(plane.channel, plane.plane, y);
       for (const PixelSpan& span : spans) rows.add(row, span);
     }
     rows.finish();
-  };
-  if (frame.has_color()) {
-    constexpr std::array<std::string_view, 4> names{"A", "B", "G", "R"};
-    constexpr std::array<int, 4> channels{3, 2, 1, 0};
-    for (std::size_t i = 0; i < names.size(); ++i)
-      add_channel(names[i], PixelHasher::Type::half, [&](int y) { return frame.color_row(channels[i], y); });
   }
-  if (frame.has_depth()) add_channel("Z", PixelHasher::Type::float_, [&](int y) { return frame.depth_row(y); });
   return hasher.hex();
 }
 

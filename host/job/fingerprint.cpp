@@ -126,7 +126,8 @@ class SceneHasher {
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, channels, compression, depth_format, background, samples, z_error] = image;
+    const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error] =
+        image;
     add_all(width, height, image.has_color(), image.has_depth(), std::string_view(compression), depth_format,
             background.has_value());
     if (background) add_all(background->top, background->bottom);
@@ -134,6 +135,7 @@ class SceneHasher {
     if (samples != 1) add_all(std::string_view("samples"), samples);
     if (z_error != 0) add_all(std::string_view("z_error"), z_error);
     for (const Channel channel : channels - default_channels) add(name_of(channel));
+    if (channel_names != ChannelNames::plain) add_all(std::string_view("channel_names"), channel_names);
   }
   void add(const Scene& scene) {
     const auto& [name, meshes, objects, timeline, image, accuracy_pixels, frames, parts, warnings, content_hash,

@@ -115,9 +115,20 @@ constexpr std::size_t pixel_bytes(ChannelSet channels) {
   return bytes;
 }
 
+constexpr ChannelSet every_channel = [] {
+  ChannelSet channels;
+  for (std::size_t i = 0; i < channel_count; ++i) channels.insert(static_cast<Channel>(i));
+  return channels;
+}();
 constexpr ChannelSet default_channels{Channel::color, Channel::depth};
 // What holds names by their hash, which no pixel may round.
 constexpr ChannelSet cryptomatte_channels{Channel::crypto_object, Channel::crypto_material};
+
+// What EXR files call the planes (docs/channels.md): N.X and so on, or as Blender or Nuke reads them by itself. Pixel
+// hashes know the plain names alone.
+enum class ChannelNames : std::uint8_t { plain, blender, nuke };
+constexpr std::array<std::string_view, 3> channel_names_names{"plain", "blender", "nuke"};
+constexpr std::string_view name_of(ChannelNames names) { return channel_names_names[static_cast<std::size_t>(names)]; }
 
 }  // namespace morphcl
 #pragma GCC visibility pop

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,11 @@
 
 #pragma GCC visibility push(default)
 namespace morphcl {
+
+// The names behind the ids of Cryptomatte layers: JSON objects of each name with its id as 8 hex digits.
+struct CryptomatteManifests {
+  std::string objects = {}, materials = {};  // "": not known
+};
 
 // What a frame's file says about the frame. No date, host or path: two runs give the same bytes.
 struct FrameAttributes {
@@ -27,19 +33,24 @@ struct FrameAttributes {
   std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
   std::string deviation = {};    // Renderer::deviation(); stored as morphclDeviation unless it is empty
   double z_error = 0;            // that Z was rounded within (round_depth()); stored as morphclZError unless it is 0
+  ChannelNames channel_names = ChannelNames::plain;  // what the file calls the frame's planes
+  // Of a frame with crypto_object or crypto_material; null: its layers are described without a manifest.
+  std::shared_ptr<const CryptomatteManifests> manifests = {};
 };
 
 // none rle zips zip zip:small piz pxr24 b44 b44a dwaa dwab; the first six are lossless. zip and zip:small make files of
 // the same format: the one in the least time, the other with the least bytes.
 const std::vector<std::string>& compression_names();
 void check_compression(const std::string& name);  // Error(usage) lists the names when `name` is none of them
+// The same, and Error(usage) for a lossy compression of Cryptomatte's channels, whose ids it would change.
+void check_compression(const std::string& name, ChannelSet channels);
 
 // Writes to a temporary name in the same folder, flushes to disk, renames; missing folders are made. Returns the pixel
 // hash that the file holds: of the pixels that a reader gets, so with a lossy compression not that of `frame`.
 // Error(cannot_create) when the folder or the file cannot be made, Error(write_failed) when not all of it reaches the
 // disk; in both cases nothing is left behind and an older file still stands. Error(usage) for another compression, a
-// frame without channels, or attributes that cannot be stored. More than one thread
-// helps a single frame; frames that are written at the same time do better with one thread each.
+// lossy one of Cryptomatte's channels, a frame without channels, or attributes that cannot be stored. More than one
+// thread helps a single frame; frames that are written at the same time do better with one thread each.
 std::string write_exr(const std::string& path, const FrameBuffer& frame, const FrameAttributes& attributes = {},
                       const std::string& compression = "zip", int threads = 1);
 
@@ -50,9 +61,10 @@ struct ExrFrame {
   std::string hash;            // of the pixels as decoded
 };
 
-// Decodes every pixel of the first part, scan lines or tiles, whose R, G, B, A (to half) or Z (to float) are kept: a
-// colour channel that is missing is 0, a missing A is 1. Error(cannot_read) when the file is missing, Error(bad_input)
-// when it is damaged, deep, larger than FrameBuffer::max_side or has none of these channels.
+// Decodes every pixel of the first part, scan lines or tiles, of the planes that a frame can hold, under any of
+// ChannelNames, to the types that it has for them: R, G, B, A to half, Z to float and so on. A plane that is missing of
+// a channel of which others are there is 0, a missing A is 1. Error(cannot_read) when the file is missing,
+// Error(bad_input) when it is damaged, deep, larger than FrameBuffer::max_side or has none of these channels.
 ExrFrame read_exr(const std::string& path);
 
 // Reads a frame back that was just written with this hash. Error(write_failed) when it reads differently or not at all;

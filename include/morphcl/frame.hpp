@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,6 +17,11 @@
 namespace morphcl {
 
 constexpr float background_depth = 1e10f;  // Z where nothing is drawn
+
+// The bits of an element of the channel where nothing is drawn: 0 but for Z.
+constexpr std::uint32_t background_bits(Channel channel) {
+  return channel == Channel::depth ? std::bit_cast<std::uint32_t>(background_depth) : 0;
+}
 
 // A frame: the planes of its channels (channel.hpp), row after row from the top.
 //
@@ -63,6 +69,13 @@ class FrameBuffer {
   }
   std::span<const std::uint32_t> uint_row(Channel channel, int plane, int y) const {
     return row<const std::uint32_t>(channel, plane, y);
+  }
+
+  // The same row of a plane of any type, as bytes.
+  std::span<const std::byte> plane_row(Channel channel, int plane, int y) const {
+    if (!has(channel)) return {};
+    const std::byte* const first = memory_.get() + static_cast<std::size_t>(y) * row_bytes_;
+    return {first + plane_offset(channel, plane), static_cast<std::size_t>(width_) * bytes_of(plane_type(channel))};
   }
 
   // Colour: 0 R, 1 G, 2 B, 3 A; linear light, premultiplied by alpha.
@@ -139,10 +152,11 @@ class FrameBuffer {
 };
 
 // 32 hex digits, the same for two frames when their channels, size and every bit of their pixels are the same, and, but
-// for collisions of the hash, only then. It is xxh3-128, seed 0, in its canonical (big-endian) form, over the channels
-// in alphabetical order, each as: the name and a zero byte; the pixel type (1 half, 2 float) and the window (first x,
-// first y, last x, last y), five 32-bit integers; the values, row by row from the top. All numbers are little-endian.
-// EXR files keep the hash of their pixels, whatever their compression.
+// for collisions of the hash, only then. It is xxh3-128, seed 0, in its canonical (big-endian) form, over the planes in
+// the order of their plain names' bytes (docs/channels.md), each as: the name and a zero byte; the pixel type (0 uint,
+// 1 half, 2 float) and the window (first x, first y, last x, last y), five 32-bit integers; the values, row by row from
+// the top. All numbers are little-endian. EXR files keep the hash of their pixels, whatever their compression and the
+// names they give the planes.
 std::string pixel_hash(const FrameBuffer& frame);
 
 // Rounds Z to the fewest mantissa bits that keep `relative_error`, as round_mantissas() does (numerics.hpp), so that it

@@ -77,6 +77,7 @@ constexpr std::array<int, 5> sample_counts = {1, 2, 4, 8, 16};
 struct ImageSettings {
   int width = 1920, height = 1080;                         // pixels, 1 to max_image_size
   ChannelSet channels = default_channels;                  // at least one
+  ChannelNames channel_names = ChannelNames::plain;        // what EXR files call the channels' planes
   std::string compression = "zip";                         // one of compression_names() (exr.hpp)
   DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer that decides what is nearest
   std::optional<Background> background = std::nullopt;     // with alpha 1; none: colour and alpha are 0 there

@@ -80,6 +80,14 @@ TEST(ExrAttributes, ChromaticitiesAreRec709) {
   EXPECT_EQ(c.white, Imath::V2f(0.3127f, 0.3290f));
 }
 
+TEST(ExrAttributes, ColourSaysWhichItIsAndOtherChannelsDoNot) {
+  for (const ChannelSet channels : {ChannelSet{Channel::color}, ChannelSet{Channel::albedo}, every_channel})
+    EXPECT_EQ(text_attribute(written_header({}, channels), "colorInteropID"), "lin_rec709_scene");
+  const Imf::Header header = written_header({}, {Channel::depth, Channel::normal, Channel::crypto_object});
+  EXPECT_EQ(header.find("colorInteropID"), header.end());
+  EXPECT_FALSE(Imf::hasChromaticities(header));
+}
+
 TEST(ExrAttributes, ChannelsAreHalfColourAndFloatDepth) {
   const auto channels = [](const Imf::Header& header) {
     std::string text;
@@ -98,7 +106,8 @@ TEST(ExrAttributes, NothingElseIsStored) {
   for (auto attribute = header.begin(); attribute != header.end(); ++attribute)
     names += std::string(attribute.name()) + " ";
   EXPECT_EQ(names,
-            "channels chromaticities compression dataWindow displayWindow framesPerSecond imageCounter lineOrder "
+            "channels chromaticities colorInteropID compression dataWindow displayWindow framesPerSecond imageCounter "
+            "lineOrder "
             "morphclFingerprint pixelAspectRatio pixelHash screenWindowCenter screenWindowWidth timeCode worldToCamera "
             "worldToNDC ");
 }

@@ -127,14 +127,14 @@ TEST(ForeignExr, ImageWithoutOurChannelsIsRefusedAndDescribed) {
   const TemporaryFolder folder;
   std::vector<float> values = float_values();
   {
-    Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"Y", "N.X"}, Imf::FLOAT));
-    file.setFrameBuffer(slices({"Y", "N.X"}, values));
+    Imf::OutputFile file((folder / "a.exr").c_str(), header_with({"Y", "N.W"}, Imf::FLOAT));
+    file.setFrameBuffer(slices({"Y", "N.W"}, values));
     file.writePixels(window_height);
   }
   EXPECT_EQ(kind_of_refusal(folder / "a.exr"), ErrorKind::bad_input);
   const ExrDescription description = describe_exr(folder / "a.exr");
   ASSERT_EQ(description.channels.size(), 2u);
-  EXPECT_EQ(description.channels[0].name, "N.X");
+  EXPECT_EQ(description.channels[0].name, "N.W");
   EXPECT_EQ(description.channels[0].type, "float");
   EXPECT_EQ(description.data_window.min, glm::ivec2(-7, -3));
 }

@@ -1,6 +1,7 @@
 // OpenImageIO's oiiotool reads the files as meant, and writes them again without a changed pixel.
 #include <gtest/gtest.h>
 
+#include "host/image/channel_planes.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/image/test_frames.hpp"
 #include "tests/support/child_process.hpp"
@@ -50,6 +51,31 @@ TEST(OtherReader, WritesTheSamePixelsAgain) {
     const ExrFrame read = read_exr(folder / "b.exr");
     EXPECT_EQ(difference(frame, read.frame), "") << compression;
     EXPECT_EQ(read.hash, hash) << compression;
+  }
+}
+
+// Every plane of every channel by its name and type, and oiiotool's copy of the file holds the same bits.
+TEST(OtherReader, ReadsEveryChannel) {
+  const TemporaryFolder folder;
+  for (const ChannelNames names : {ChannelNames::plain, ChannelNames::blender, ChannelNames::nuke}) {
+    FrameAttributes attributes;
+    attributes.channel_names = names;
+    attributes.manifests = std::make_shared<CryptomatteManifests>(R"({"bunny":"13851a76"})", "{}");
+    const FrameBuffer frame = disc_frame(130, 70, every_channel);
+    write_exr(folder / "a.exr", frame, attributes);
+    const ProcessResult info = oiiotool({"--info", "-v", folder / "a.exr"});
+    ASSERT_EQ(info.code, 0) << info.out;
+    for (const NamedPlane& plane : named_planes(every_channel, names)) {
+      const char* const types[] = {"uint", "half", "float"};
+      const std::string expected = plane.name + " (" + types[static_cast<int>(plane_type(plane.channel))] + ")";
+      EXPECT_NE(info.out.find(expected), std::string::npos) << expected << "\nnot in\n" << info.out;
+    }
+    EXPECT_NE(info.out.find("lin_rec709_scene"), std::string::npos) << info.out;
+    EXPECT_NE(info.out.find("uint32_to_float32"), std::string::npos) << info.out;
+
+    const ProcessResult copy = oiiotool({folder / "a.exr", "-o", folder / "b.exr"});
+    ASSERT_EQ(copy.code, 0) << copy.out;
+    EXPECT_EQ(difference(frame, read_exr(folder / "b.exr").frame), "") << name_of(names);
   }
 }
 

@@ -31,7 +31,8 @@ struct ZipShape {
 const std::vector<ZipShape> zip_shapes{
     {1, 1, default_channels},    {1, 1, color_alone},       {1, 1, depth_alone},
     {17, 3, default_channels},   {17, 3, color_alone},      {17, 3, depth_alone},
-    {129, 65, default_channels}, {2, 16, default_channels}, {1087, 49, default_channels}};
+    {129, 65, default_channels}, {2, 16, default_channels}, {1087, 49, default_channels},
+    {1, 1, every_channel},       {129, 33, every_channel},  {33, 17, ChannelSet{Channel::normal, Channel::object_id}}};
 
 std::string name_of(const ZipShape& shape) {
   return std::to_string(shape.width) + " x " + std::to_string(shape.height) + " " + names_of(shape.channels);
@@ -42,9 +43,7 @@ int chunk_count(const FrameBuffer& frame) { return (frame.height() + 15) / 16; }
 Imf::Header header_of(const FrameBuffer& frame) {
   Imf::Header header(frame.width(), frame.height());
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* name : color_channel_names)
-    if (frame.has_color()) header.channels().insert(name, Imf::Channel(Imf::HALF));
-  if (frame.has_depth()) header.channels().insert(depth_channel_name, Imf::Channel(Imf::FLOAT));
+  header.channels() = channel_list(named_planes(frame.channels(), ChannelNames::plain));
   return header;
 }
 
@@ -53,7 +52,7 @@ std::vector<char> library_file(FrameBuffer& frame) {
   {
     MemoryOutput output(bytes);
     Imf::OutputFile file(output, header_of(frame), 0);
-    file.setFrameBuffer(planes_of(frame, 0, 0));
+    file.setFrameBuffer(slices_to_write(frame, named_planes(frame.channels(), ChannelNames::plain)));
     file.writePixels(frame.height());
   }
   return bytes;
@@ -61,7 +60,7 @@ std::vector<char> library_file(FrameBuffer& frame) {
 
 std::vector<char> our_file(const FrameBuffer& frame, ZlibEffort effort = ZlibEffort::fast, int threads = 1) {
   std::vector<char> bytes;
-  encode_exr_zip(bytes, header_of(frame), frame, effort, threads);
+  encode_exr_zip(bytes, header_of(frame), frame, ChannelNames::plain, effort, threads);
   return bytes;
 }
 

@@ -4,10 +4,11 @@
 #include <half.h>
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstring>
 
+#include "host/image/channel_planes.hpp"
 #include "host/image/raw_frame.hpp"
 #include "lab/accuracy/random.hpp"
 
@@ -15,15 +16,11 @@ namespace morphcl::image_test {
 
 namespace {
 
-template <class T>
-std::string row_difference(const char* name, int y, std::span<const T> expected, std::span<const T> actual) {
-  for (std::size_t x = 0; x < expected.size(); ++x) {
-    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint16_t>;
-    const Bits want = std::bit_cast<Bits>(expected[x]), got = std::bit_cast<Bits>(actual[x]);
-    if (want != got)
-      return fmt::format("channel {} at ({}, {}): bits {:#x} expected, {:#x} found", name, x, y, want, got);
-  }
-  return "";
+// The bits of a pixel in a row of a plane.
+std::uint32_t bits_at(std::span<const std::byte> row, std::size_t bytes, std::size_t x) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, row.data() + x * bytes, bytes);
+  return bits;
 }
 
 }  // namespace
@@ -50,6 +47,13 @@ FrameBuffer disc_frame(int width, int height, ChannelSet channels) {
         frame.color_row(channel, y)[i] = half(shade * (0.9f - 0.3f * static_cast<float>(channel))).bits();
       if (frame.has_color()) frame.color_row(3, y)[i] = half(rest > 0 ? 1.0f : 0.0f).bits();
       if (frame.has_depth()) frame.depth_row(y)[i] = rest > 0 ? 5.0f - shade : background_depth;
+      for (const Channel other : channels - default_channels)
+        for (int plane = 0; plane < plane_count(other); ++plane) {
+          const float value = rest > 0 ? static_cast<float>(plane + 1) * shade - static_cast<float>(u) : 0.0f;
+          if (plane_type(other) == PixelType::half) frame.half_row(other, plane, y)[i] = half(value).bits();
+          if (plane_type(other) == PixelType::float_) frame.float_row(other, plane, y)[i] = value;
+          if (plane_type(other) == PixelType::uint) frame.uint_row(other, plane, y)[i] = rest > 0 ? 70'000u : 0u;
+        }
     }
   return frame;
 }
@@ -69,14 +73,13 @@ void make_blank(FrameBuffer& frame, int block_x, int block_y, std::uint16_t with
   const std::size_t first = static_cast<std::size_t>(block_x) * side;
   for (std::size_t y = 0; y < side; ++y) {
     std::byte* const row = memory.data + (static_cast<std::size_t>(block_y) * side + y) * memory.row_bytes;
-    for (int plane = 0; frame.has_color() && plane < 4; ++plane) {
-      std::byte* const pixels = row + memory.plane_offset(Channel::color, plane);
-      std::fill_n(reinterpret_cast<std::uint16_t*>(pixels) + first, side, with);
-    }
-    if (frame.has_depth()) {
-      std::byte* const pixels = row + memory.plane_offset(Channel::depth, 0);
-      std::fill_n(reinterpret_cast<float*>(pixels) + first, side, with ? 1.0f : background_depth);
-    }
+    for (const Channel channel : frame.channels())
+      for (int plane = 0; plane < plane_count(channel); ++plane) {
+        const std::size_t bytes = bytes_of(plane_type(channel));
+        const std::uint32_t value = with ? with : background_bits(channel);
+        for (std::size_t x = first; x < first + side; ++x)
+          std::memcpy(row + memory.plane_offset(channel, plane) + x * bytes, &value, bytes);
+      }
   }
   memory.note(block_x / 4, block_y / 4) |= 1u << (block_y % 4 * 4 + block_x % 4);
 }
@@ -86,16 +89,16 @@ std::string difference(const FrameBuffer& expected, const FrameBuffer& actual) {
     return fmt::format("{} x {} pixels expected, {} x {} found", expected.width(), expected.height(), actual.width(),
                        actual.height());
   if (expected.channels() != actual.channels()) return "other channels than expected";
-  constexpr const char* names[] = {"R", "G", "B", "A"};
-  for (int y = 0; y < expected.height(); ++y) {
-    for (int channel = 0; expected.has_color() && channel < 4; ++channel) {
-      const std::string text =
-          row_difference(names[channel], y, expected.color_row(channel, y), actual.color_row(channel, y));
-      if (!text.empty()) return text;
+  for (const NamedPlane& plane : named_planes(expected.channels(), ChannelNames::plain))
+    for (int y = 0; y < expected.height(); ++y) {
+      const auto rows = std::array{expected.plane_row(plane.channel, plane.plane, y),
+                                   actual.plane_row(plane.channel, plane.plane, y)};
+      const std::size_t bytes = bytes_of(plane_type(plane.channel));
+      for (std::size_t x = 0; x < static_cast<std::size_t>(expected.width()); ++x)
+        if (bits_at(rows[0], bytes, x) != bits_at(rows[1], bytes, x))
+          return fmt::format("{} at ({}, {}): bits {:#x} expected, {:#x} found", plane.name, x, y,
+                             bits_at(rows[0], bytes, x), bits_at(rows[1], bytes, x));
     }
-    const std::string text = row_difference("Z", y, expected.depth_row(y), actual.depth_row(y));
-    if (!text.empty()) return text;
-  }
   return "";
 }
 

@@ -11,7 +11,8 @@ namespace morphcl::image_test {
 // Every bit pattern may occur: NaN with payloads, infinities, denormals, -0. The padding is filled as well.
 FrameBuffer arbitrary_frame(int width, int height, ChannelSet channels, std::uint64_t seed = 1);
 
-// A smooth opaque disc over a transparent background, with its depth: what renderers make.
+// A smooth opaque disc over a transparent background, with its depth, and something smooth in all other channels: what
+// renderers make.
 FrameBuffer disc_frame(int width, int height, ChannelSet channels = default_channels);
 
 FrameBuffer uniform_frame(int width, int height, float red, float green, float blue, float alpha);

@@ -15,6 +15,7 @@
 #include "host/render/frame/depth_buffer.hpp"
 #include "host/render/frame/displaced_positions.hpp"
 #include "host/render/frame/vertex_accuracy.hpp"
+#include "morphcl/exr.hpp"
 #include "morphcl/scene.hpp"
 #include "morphcl/timeline.hpp"
 
@@ -73,7 +74,10 @@ struct FramePlan {
   bool keeps_vertices = true;     // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
   std::shared_ptr<const std::vector<BackgroundRow>> background;  // of each row; null: 0 in all four
-  glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};               // for the image's attributes
+  // For the image's attributes.
+  glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};
+  ChannelNames channel_names = ChannelNames::plain;
+  std::shared_ptr<const CryptomatteManifests> manifests;  // null without Cryptomatte
 
   bool has(Channel channel) const { return channels.contains(channel); }
   bool has_color() const { return has(Channel::color); }

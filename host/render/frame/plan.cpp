@@ -20,7 +20,9 @@ FrameAttributes Plan::attributes() const {
           .fps_numerator = plan_->fps_numerator,
           .fps_denominator = plan_->fps_denominator,
           .world_to_eye = plan_->world_to_eye,
-          .world_to_ndc = plan_->world_to_ndc};
+          .world_to_ndc = plan_->world_to_ndc,
+          .channel_names = plan_->channel_names,
+          .manifests = plan_->manifests};
 }
 
 }  // namespace morphcl

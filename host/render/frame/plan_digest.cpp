@@ -99,7 +99,7 @@ PlanDigest pixel_digest(const FramePlan& plan) {
   // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
   const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, channels, samples, draws,
                draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth, keeps_vertices,
-               keeps_blank_tiles, background, world_to_eye, world_to_ndc] = plan;
+               keeps_blank_tiles, background, world_to_eye, world_to_ndc, channel_names, manifests] = plan;
   Digester digester;
   digester.add(FrameKey{width, height, channels.bits(), static_cast<std::uint32_t>(depth_format),
                         static_cast<std::uint32_t>(samples), camera, ambient, count(lights.size()), count(draws.size()),

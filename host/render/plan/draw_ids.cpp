@@ -1,6 +1,7 @@
 #include "host/render/plan/draw_ids.hpp"
 
 #include "host/cryptomatte_id.hpp"
+#include "host/cryptomatte_manifest.hpp"
 #include "host/scene/model/material_list.hpp"
 
 namespace morphcl {
@@ -28,6 +29,19 @@ void DrawIds::set(std::size_t object, Draw& draw) const {
   draw.material_id = ids.material;
   draw.crypto_object = ids.crypto_object;
   draw.crypto_material = ids.crypto_material;
+}
+
+std::shared_ptr<const CryptomatteManifests> cryptomatte_manifests(const Scene& scene) {
+  const ChannelSet asked_for = scene.image.channels & cryptomatte_channels;
+  if (asked_for.empty()) return nullptr;
+  auto manifests = std::make_shared<CryptomatteManifests>();
+  if (asked_for.contains(Channel::crypto_object)) {
+    std::vector<std::string> names;
+    for (const Object& object : scene.objects) names.push_back(object.name);
+    manifests->objects = cryptomatte_manifest(names);
+  }
+  if (asked_for.contains(Channel::crypto_material)) manifests->materials = cryptomatte_manifest(material_names(scene));
+  return manifests;
 }
 
 }  // namespace morphcl

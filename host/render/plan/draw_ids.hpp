@@ -1,6 +1,7 @@
 // The numbers by which channels name a draw's object and its material.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "host/render/frame/frame_plan.hpp"
@@ -23,5 +24,8 @@ class DrawIds {
   };
   std::vector<Ids> of_object_;  // empty: nothing is asked for
 };
+
+// Of the Cryptomatte channels that the scene asks for; null where it asks for none.
+std::shared_ptr<const CryptomatteManifests> cryptomatte_manifests(const Scene& scene);
 
 }  // namespace morphcl

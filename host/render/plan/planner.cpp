@@ -152,6 +152,7 @@ struct Planner::Impl {
         tree(bounds_over_time(s, meshes, nodes)),
         facts(facts_of_objects(s, nodes)),
         ids(s),
+        manifests(cryptomatte_manifests(s)),
         background(background_rows(s.image)),
         margin(margin_of_lines(s)),
         weights(s),
@@ -182,6 +183,7 @@ struct Planner::Impl {
   const ObjectTree tree;
   const std::vector<ObjectFacts> facts;
   const DrawIds ids;
+  const std::shared_ptr<const CryptomatteManifests> manifests;
   const std::shared_ptr<const std::vector<BackgroundRow>> background;
   const double margin;         // around the picture, pixels
   ObjectTree::InView in_view;  // of the last frame's view
@@ -209,6 +211,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.width = scene.image.width;
   plan.height = scene.image.height;
   plan.channels = scene.image.channels;
+  plan.channel_names = scene.image.channel_names;
+  plan.manifests = manifests;
   plan.samples = plan.has_color() ? scene.image.samples : 1;
   const int eye = timeline.camera.node;
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
