@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
+#include <limits>
+#include <utility>
 
 #include "host/scene/gltf/gltf_import.hpp"
 #include "tests/scene/gltf_builder.hpp"
@@ -53,6 +56,68 @@ TEST_F(GltfMeshes, PointsAreNamedInTheWarning) {
   EXPECT_TRUE(model.objects.empty());
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_EQ(model.warnings[0], "not drawn: points");
+}
+
+GltfBuilder with_uvs(const std::function<int(GltfBuilder&)>& accessor) {
+  GltfBuilder file = triangle_file();
+  const int uvs = accessor(file);
+  file.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uvs;
+  return file;
+}
+
+TEST_F(GltfMeshes, TextureCoordinatesHaveVUp) {
+  const ImportedModel floats =
+      import(with_uvs([](GltfBuilder& f) { return f.floats({0, 0, 0.25f, 1, 3, -0.5f}, "VEC2"); }));
+  EXPECT_EQ(floats.meshes[0].uvs, (std::vector<glm::vec2>{{0, 1}, {0.25f, 0}, {3, 1.5f}}));
+  EXPECT_TRUE(floats.warnings.empty());
+  EXPECT_TRUE(import(triangle_file()).meshes[0].uvs.empty());
+}
+
+TEST_F(GltfMeshes, TextureCoordinatesOfNormalizedIntegers) {
+  for (const int type : {uint8_type, uint16_type}) {
+    const ImportedModel model = import(with_uvs([type](GltfBuilder& f) {
+      const int accessor =
+          type == uint8_type
+              ? f.accessor(f.buffer_view(std::string("\x00\xff\x00\x00\x33\x00\x00\x00\xff\xff\x00\x00", 12), 4), type,
+                           "VEC2", 3)
+              : f.accessor(std::vector<std::uint16_t>{0, 65535, 13107, 0, 65535, 65535}, type, "VEC2");
+      f.json["accessors"][static_cast<std::size_t>(accessor)]["normalized"] = true;
+      return accessor;
+    }));
+    EXPECT_EQ(model.meshes[0].uvs, (std::vector<glm::vec2>{{0, 0}, {0.2f, 1}, {1, 0}})) << type;
+  }
+}
+
+// They are seen in one channel alone, so the model is drawn all the same.
+TEST_F(GltfMeshes, WrongTextureCoordinatesCostTheCoordinates) {
+  const std::pair<std::function<int(GltfBuilder&)>, const char*> wrong[] = {
+      {[](GltfBuilder& f) { return f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"); }, "is VEC3; VEC2 is needed here"},
+      {[](GltfBuilder& f) { return f.floats({0, 0, 0, 1}, "VEC2"); }, "has 2 elements"},
+      {[](GltfBuilder& f) { return f.accessor(std::vector<std::uint16_t>(6), uint16_type, "VEC2"); },
+       "texture coordinates must be float or normalized unsigned integers of 8 or 16 bits"},
+      {[](GltfBuilder&) { return 99; }, "99"},
+  };
+  for (const auto& [accessor, words] : wrong) {
+    const ImportedModel model = import(with_uvs(accessor));
+    ASSERT_EQ(model.meshes.size(), 1u) << words;
+    EXPECT_TRUE(model.meshes[0].uvs.empty());
+    ASSERT_EQ(model.warnings.size(), 1u) << words;
+    EXPECT_NE(model.warnings[0].find(words), std::string::npos) << model.warnings[0];
+    EXPECT_NE(model.warnings[0].find("the mesh has no texture coordinates then"), std::string::npos);
+  }
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const ImportedModel model =
+      import(with_uvs([](GltfBuilder& f) { return f.floats({nan, 1, 0.5f, infinity, 1, 1}, "VEC2"); }));
+  EXPECT_EQ(model.meshes[0].uvs, (std::vector<glm::vec2>{{0, 0}, {0.5f, 0}, {1, 0}}));
+}
+
+TEST_F(GltfMeshes, MaterialsHaveTheirNames) {
+  GltfBuilder file = triangle_file();
+  EXPECT_EQ(import(file).objects[0].material.name, "");
+  file.json["meshes"][0]["primitives"][0]["material"] = file.append("materials", {{"name", "Wüstensand"}});
+  EXPECT_EQ(import(file).objects[0].material.name, "Wüstensand");
+  file.json["materials"][0]["name"] = 7;
+  EXPECT_EQ(import(file).objects[0].material.name, "") << "no text, no name";
 }
 
 TEST_F(GltfMeshes, IndicesOfEveryWidth) {

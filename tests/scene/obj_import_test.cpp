@@ -103,6 +103,66 @@ TEST_F(ObjImport, VertexWithTwoNormalsIsSplitAndItsSideDrawnOnce) {
   }
 }
 
+TEST_F(ObjImport, TextureCoordinatesSplitVerticesAndLeaveTheRestAlone) {
+  const std::string coordinates = "vt 0 0\nvt 1 0.25\nvt 0.5\nvt 1 0.25 7\n";  // the last is the second again
+  const Mesh plain = mesh(square + "f 1 2 3\nf 1 3 4\n");
+  const Mesh read = mesh(square + coordinates + "f 1/1 2/2 3/3\nf 1/1 3/2 4/4\n");
+  ASSERT_EQ(read.positions.size(), 5u) << "the third point has two";
+  EXPECT_EQ(read.triangles, (Triangles{{0, 1, 3}, {0, 2, 4}}));
+  EXPECT_EQ(read.uvs, (std::vector<glm::vec2>{{0, 0}, {1, 0.25f}, {1, 0.25f}, {0.5f, 0}, {1, 0.25f}}));
+  EXPECT_TRUE(read.normals.empty());
+  EXPECT_EQ(read.edges.size(), distinct_edges(plain.triangles).size()) << "each side once";
+  EXPECT_TRUE(plain.uvs.empty());
+}
+
+TEST_F(ObjImport, EqualTextureCoordinatesAreOneHoweverOftenTheyStandThere) {
+  const Mesh read = mesh(square + "vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 1/3 3/2 4/1\n");
+  EXPECT_EQ(read.positions.size(), 4u);
+  EXPECT_EQ(read.uvs, std::vector<glm::vec2>(4, glm::vec2(0.5f)));
+}
+
+TEST_F(ObjImport, AbsentTextureCoordinatesAreZeroAndWrongOnesAreNamed) {
+  const ImportedModel some = import_obj(folder.write("a.obj", square + "vt 1 1\nf 1/1 2 3\nf 1/1 3 4\n"));
+  EXPECT_EQ(some.meshes[0].uvs, (std::vector<glm::vec2>{{1, 1}, {0, 0}, {0, 0}, {0, 0}}));
+  EXPECT_TRUE(some.warnings.empty());
+  for (const std::string wrong : {"vt x 1\n", "vt 1 nan\n", ""}) {
+    const ImportedModel model = import_obj(folder.write("a.obj", square + wrong + "vt 1 1\nf 1/1 2/2 3/2\n"));
+    ASSERT_EQ(model.warnings.size(), 1u) << wrong;
+    EXPECT_NE(
+        model.warnings[0].find(
+            wrong.empty() ? "the texture coordinates of 2 of 3 face corners are missing or no numbers; 0 is used"
+                          : "the texture coordinates of 1 of 3 face corners are missing or no numbers; 0 is used"),
+        std::string::npos)
+        << model.warnings[0];
+  }
+}
+
+// A target's normals are those of the position and the normal, as they were without texture coordinates.
+TEST_F(ObjImport, TextureCoordinatesDoNotMoveATargetsNormals) {
+  const auto file = [](const char* corners, const char* normals) {
+    return square + "vt 0 0\nvt 1 1\n" + normals + corners;
+  };
+  const char* const plain = "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n";
+  const char* const textured = "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/2/1 4/2/1\n";
+  const std::string target =
+      folder.write("t.obj", file("f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n", "vn 0 0 1\nvn 0 1 0\n"));
+  const auto normals_of = [&](const char* corners) {
+    const ImportedModel model = import_obj_targets(folder.write("n.obj", file(corners, "vn 0 0 1\n")), {target});
+    std::vector<glm::vec3> normals;
+    for (const glm::uvec3& triangle : model.meshes[0].triangles)
+      for (int c = 0; c < 3; ++c) normals.push_back(model.meshes[0].targets[0].normals[triangle[c]]);
+    return normals;
+  };
+  EXPECT_EQ(normals_of(plain), normals_of(textured));
+}
+
+TEST_F(ObjImport, MaterialsHaveTheirNames) {
+  const ImportedModel model = import_obj(folder.write("car.obj", square + "f 1 2 3\nusemtl red paint\nf 1 3 4\n"));
+  ASSERT_EQ(model.objects.size(), 2u);
+  EXPECT_EQ(model.objects[0].material.name, "");
+  EXPECT_EQ(model.objects[1].material.name, "red paint");
+}
+
 TEST_F(ObjImport, MissingNormalsAtSomeCornersLightTheFacesFlat) {
   const ImportedModel model = import_obj(folder.write("a.obj", square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n"));
   EXPECT_TRUE(model.meshes[0].normals.empty());

@@ -9,7 +9,7 @@
 
 namespace morphcl {
 
-enum class GltfAttribute { position, normal, color };
+enum class GltfAttribute { position, normal, color, uv };
 
 class GltfAttributes {
  public:
@@ -23,9 +23,11 @@ class GltfAttributes {
   }
 
   // One element a vertex. Error(bad_input) for another count or type: float, or what KHR_mesh_quantization allows in a
-  // file that declares it; colours are float or normalized.
+  // file that declares it; colours and texture coordinates are float or normalized unsigned.
   std::vector<glm::vec3> read_vec3(int accessor, GltfAttribute attribute, std::size_t vertex_count) const;
   std::vector<glm::vec4> read_color(int accessor, std::size_t vertex_count, float alpha_of_rgb) const;
+  // Texture coordinates with v up: 1 - v of the file's. What is no finite number is 0.
+  std::vector<glm::vec2> read_uv(int accessor, std::size_t vertex_count) const;
 
   std::string place(int accessor) const { return accessors_.place(accessor); }
 

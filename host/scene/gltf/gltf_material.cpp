@@ -34,6 +34,15 @@ std::optional<glm::dvec4> base_color(const GltfValue& material, GltfWarnings& wa
   }
 }
 
+// "" where it has none; what is no text costs the name.
+std::string name_of_material(const GltfValue& material) {
+  try {
+    return material.text("name", "");
+  } catch (const Error&) {
+    return "";
+  }
+}
+
 bool glows(const GltfValue& material, GltfWarnings& warnings) {
   try {
     const auto factor = material.find("emissiveFactor");
@@ -55,6 +64,7 @@ std::string alpha_mode(const GltfValue& material, GltfWarnings& warnings) {
 
 GltfMaterial read_material(const GltfValue& json, GltfWarnings& warnings) {
   GltfMaterial result;
+  result.material.name = name_of_material(json);
   result.material.base_color = base_color(json, warnings).value_or(glm::dvec4(1.0));
   if (glows(json, warnings)) warnings.not_drawn("emission");
   result.material.double_sided = json.boolean("doubleSided", false);

@@ -1,4 +1,4 @@
-// The part of a glTF material that is drawn: base colour, opacity, sidedness and whether light matters.
+// The part of a glTF material that is drawn: base colour, opacity, sidedness and whether light matters; and its name.
 #pragma once
 
 #include "host/scene/gltf/gltf_document.hpp"

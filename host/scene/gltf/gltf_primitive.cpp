@@ -8,6 +8,7 @@
 #include "host/scene/gltf/gltf_attributes.hpp"
 #include "host/scene/gltf/gltf_material.hpp"
 #include "host/scene/gltf/gltf_topology.hpp"
+#include "morphcl/error.hpp"
 
 namespace morphcl {
 
@@ -49,6 +50,19 @@ void mend_colors(std::vector<glm::vec4>& colors, const std::string& place, GltfW
   if (unknown > 0)
     warnings.say(
         fmt::format("{}: {} of {} vertex colours are no numbers; white is used", place, unknown, colors.size()));
+}
+
+// They are seen in the channel uv alone, so what is wrong with them costs the coordinates, not the model.
+std::vector<glm::vec2> read_uvs(const GltfAttributes& reader, const GltfValue& attributes, std::size_t vertex_count,
+                                GltfWarnings& warnings) {
+  try {
+    const int accessor = reader.find(attributes, "TEXCOORD_0");
+    return accessor < 0 ? std::vector<glm::vec2>() : reader.read_uv(accessor, vertex_count);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input) throw;
+    warnings.say(fmt::format("{}; the mesh has no texture coordinates then", error.what()));
+    return {};
+  }
 }
 
 template <typename Vector>
@@ -122,6 +136,7 @@ std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const 
     if (!material.blend)
       for (glm::vec4& color : mesh.colors) color.a = 1.0f;
   }
+  mesh.uvs = read_uvs(reader, attributes, vertex_count, warnings);
   if (const auto targets = json.find("targets"))
     for (std::size_t i = 0; i < targets->size(); ++i) {
       document.budget().charge(1, sizeof(MorphTarget) + target_names[i].size(), json.place());

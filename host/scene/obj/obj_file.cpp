@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "host/scene/obj/obj_colors.hpp"
 #include "host/scene/obj/obj_text.hpp"
@@ -17,11 +20,11 @@ namespace morphcl {
 
 namespace {
 
-// Read without effect: texture coordinates, names, smoothing and display settings.
-constexpr std::array<std::string_view, 12> ignored = {
-    "vt", "g", "o", "s", "mg", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
+// Read without effect: names, smoothing and display settings.
+constexpr std::array<std::string_view, 11> ignored = {"g",        "o",        "s",          "mg",        "bevel", "lod",
+                                                      "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
 
-constexpr std::int32_t no_such_normal = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t no_such_element = std::numeric_limits<std::int32_t>::max();
 
 bool has_direction(const glm::vec3& normal) {
   const double length = glm::length(glm::dvec3(normal));
@@ -41,6 +44,7 @@ class ObjParser {
       throw Error(ErrorKind::bad_input, file_.path, "holds no faces; a Wavefront .obj file with 'f' lines is needed");
     check_indices();
     check_normals();
+    check_uvs();
     file_.colors = colors_.finish(file_.positions.size(), file_.path, file_.warnings);
     if (file_.small_faces > 0)
       warn(fmt::format("{} faces of fewer than 3 corners are not drawn, the first at line {}", file_.small_faces,
@@ -62,6 +66,8 @@ class ObjParser {
       read_position();
     else if (keyword == "vn")
       read_normal();
+    else if (keyword == "vt")
+      read_uv();
     else if (keyword == "f" || keyword == "fo")  // fo: the old name
       read_face();
     else if (keyword == "usemtl")
@@ -123,6 +129,19 @@ class ObjParser {
     file_.normals.push_back(normal);
   }
 
+  // u and v, 0 where it is not given; what is no number keeps its place in the numbering.
+  void read_uv() {
+    glm::vec2 uv;
+    for (int c = 0; c < 2; ++c) {
+      const std::string_view word = statements_.word();
+      uv[c] = word.empty() && c == 1 ? 0.0f : parse_float(word).value_or(std::numeric_limits<float>::quiet_NaN());
+    }
+    if (file_.uvs.size() >= limits_.max_vertices)
+      fail(fmt::format("more than {} texture coordinates", limits_.max_vertices));
+    budget_.charge(1, sizeof(glm::vec2) + 2 * sizeof(std::int32_t), file_.path);
+    file_.uvs.push_back(uv);
+  }
+
   // An index from 1, or counted back from the last element read; those ahead of the face are checked at the end.
   std::int32_t index(std::string_view word, std::size_t count, std::string_view what) const {
     const std::optional<std::int64_t> value = parse_integer(word);
@@ -133,14 +152,14 @@ class ObjParser {
     return static_cast<std::int32_t>(from_zero);
   }
 
-  // One that does not exist is checked with the normals.
-  std::int32_t normal_index(std::string_view word, std::string_view corner) const {
+  // Of `count` normals or texture coordinates so far. One that does not exist is found when all are read.
+  std::int32_t looks_index(std::string_view word, std::size_t count, std::string_view corner) const {
     const std::optional<std::int64_t> value = parse_integer(word);
     if (!value) fail(fmt::format("'{}' is not a face corner: v, v/vt, v//vn or v/vt/vn", corner.substr(0, 60)));
     const std::int64_t from_zero = *value > 0   ? *value - 1
-                                   : *value < 0 ? static_cast<std::int64_t>(file_.normals.size()) + *value
+                                   : *value < 0 ? static_cast<std::int64_t>(count) + *value
                                                 : -1;
-    return from_zero < 0 || from_zero >= no_such_normal ? no_such_normal : static_cast<std::int32_t>(from_zero);
+    return from_zero < 0 || from_zero >= no_such_element ? no_such_element : static_cast<std::int32_t>(from_zero);
   }
 
   // v, v/vt, v//vn or v/vt/vn; what is empty is absent.
@@ -152,10 +171,9 @@ class ObjParser {
     const std::string_view rest = word.substr(first + 1);
     const std::size_t second = rest.find('/');
     const std::string_view texture = rest.substr(0, second);
-    if (!texture.empty() && !parse_integer(texture))
-      fail(fmt::format("'{}' is not a face corner: v, v/vt, v//vn or v/vt/vn", word.substr(0, 60)));
+    if (!texture.empty()) result.uv = looks_index(texture, file_.uvs.size(), word);
     if (second != std::string_view::npos && second + 1 < rest.size())
-      result.normal = normal_index(rest.substr(second + 1), word);
+      result.normal = looks_index(rest.substr(second + 1), file_.normals.size(), word);
     return result;
   }
 
@@ -221,6 +239,47 @@ class ObjParser {
       warn("some face corners have no normal, so the faces are lit flat");
     file_.normals.clear();
     for (ObjCorner& corner : file_.corners) corner.normal = -1;
+  }
+
+  // They are seen in the channel uv alone. Equal ones become one, as exporters number them anew for each corner.
+  void check_uvs() {
+    std::size_t present = 0, wrong = 0;
+    for (ObjCorner& corner : file_.corners) {
+      if (corner.uv < 0) continue;
+      const auto at = static_cast<std::size_t>(corner.uv);
+      const bool usable = at < file_.uvs.size() && std::isfinite(file_.uvs[at].x) && std::isfinite(file_.uvs[at].y);
+      present += usable;
+      wrong += !usable;
+      if (!usable) corner.uv = -1;
+    }
+    if (wrong > 0)
+      warn(fmt::format("the texture coordinates of {} of {} face corners are missing or no numbers; 0 is used", wrong,
+                       file_.corners.size()));
+    if (present == 0) {
+      file_.uvs.clear();
+      return;
+    }
+    const std::vector<std::int32_t> first = first_of_equal_uvs();
+    for (ObjCorner& corner : file_.corners)
+      if (corner.uv >= 0) corner.uv = first[static_cast<std::size_t>(corner.uv)];
+  }
+
+  // For each of the texture coordinates the first one that equals it.
+  std::vector<std::int32_t> first_of_equal_uvs() const {
+    const std::vector<glm::vec2>& uvs = file_.uvs;
+    std::vector<std::int32_t> order(uvs.size()), first(uvs.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto bits = [&uvs](std::int32_t i) {  // any order does, but NaN has to have its place
+      const glm::vec2& uv = uvs[static_cast<std::size_t>(i)];
+      return std::pair{std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)};
+    };
+    std::sort(order.begin(), order.end(),
+              [&bits](std::int32_t a, std::int32_t b) { return std::pair{bits(a), a} < std::pair{bits(b), b}; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const bool again = i > 0 && bits(order[i]) == bits(order[i - 1]);
+      first[static_cast<std::size_t>(order[i])] = again ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+    }
+    return first;
   }
 
   ObjStatements statements_;

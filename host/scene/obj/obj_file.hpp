@@ -1,4 +1,5 @@
-// The contents of an .obj file as they stand: positions, normals and faces with their own numbering.
+// The contents of an .obj file as they stand: positions, normals, texture coordinates and faces with their own
+// numbering.
 //
 // Numbers are read with std::from_chars, not through tinyobjloader, whose numbers are not correctly rounded; it serves
 // as the cross-check in the tests.
@@ -18,6 +19,7 @@ namespace morphcl {
 struct ObjCorner {
   std::uint32_t position = 0;
   std::int32_t normal = -1;  // -1: none
+  std::int32_t uv = -1;      // -1: none. Corners with equal coordinates have the same
 };
 
 struct ObjFace {
@@ -31,6 +33,7 @@ struct ObjFile {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> colors;   // from 0 to 1, one a position; or empty
   std::vector<glm::vec3> normals;  // of a length above 0; empty unless every corner has one
+  std::vector<glm::vec2> uvs;      // texture coordinates (vt), v up; empty unless some corner has them
   std::vector<ObjCorner> corners;
   std::vector<ObjFace> faces;                   // may be empty
   std::vector<std::string> materials;           // names of usemtl, each once

@@ -35,6 +35,7 @@ void tell(const ObjFile& file, std::vector<std::string>& warnings) {
 Material material_of(const ObjFile& file, const ObjPart& part, const std::vector<ObjMaterial>& materials) {
   Material material;
   material.double_sided = true;  // the format does not say which side is the outer one
+  if (part.material >= 0) material.name = file.materials[static_cast<std::size_t>(part.material)];
   const auto diffuse = part.material < 0 ? std::nullopt : materials[static_cast<std::size_t>(part.material)].diffuse;
   if (diffuse)
     material.base_color = glm::dvec4(*diffuse, 1.0);

@@ -1,17 +1,17 @@
 // Import of Wavefront .obj: polygons, and morph targets from files of the same topology.
 //
 // Each material that the faces use becomes one Mesh and one double-sided Object, in the order of their first faces:
-// "car.paint"; faces of one material, or of none, are called as the file. Groups and objects (g, o), smoothing groups
-// and texture coordinates are ignored. A vertex used with several normals (f v//vn) is split. Polygons are cut into
-// triangles (host/scene/obj/polygon_triangulation.hpp), while Mesh::edges keeps the polygons' own sides. The base
+// "car.paint"; faces of one material, or of none, are called as the file. Groups and objects (g, o) and smoothing
+// groups are ignored. A vertex used with several normals or texture coordinates (f v/vt/vn) is split. Polygons are cut
+// into triangles (host/scene/obj/polygon_triangulation.hpp), while Mesh::edges keeps the polygons' own sides. The base
 // colour is the material's Kd, else the default, which is white where vertices have colours.
 //
 // Strict about geometry: cannot_read; bad_input with file and line for coordinates that are malformed or not finite in
 // fp32, vertex indices out of range, and files beyond `limits`.
 //
 // Tolerant about looks, each with a warning: a file in which any corner has no normal, or one that is missing, zero or
-// no number, is lit flat; for colours see obj_colors.hpp, for materials obj_material.hpp. Faces of fewer than three
-// corners are left out.
+// no number, is lit flat; a corner without texture coordinates has 0, 0; for colours see obj_colors.hpp, for materials
+// obj_material.hpp. Faces of fewer than three corners are left out.
 #pragma once
 
 #include <string>

@@ -21,22 +21,22 @@ glm::dvec3 unit(const glm::dvec3& normal) {
 // The one rounding of a normal to what a mesh stores.
 glm::vec3 stored_normal(const glm::dvec3& normal) { return glm::vec3(unit(normal)); }
 
-std::uint64_t vertex_key(const ObjCorner& corner) {
-  return std::uint64_t{corner.position} << 32 | static_cast<std::uint32_t>(corner.normal);
+bool comes_before(const ObjCorner& a, const ObjCorner& b) {
+  return std::tie(a.position, a.normal, a.uv) < std::tie(b.position, b.normal, b.uv);
+}
+
+bool same_vertex(const ObjCorner& a, const ObjCorner& b) {
+  return a.position == b.position && a.normal == b.normal && a.uv == b.uv;
 }
 
 void number_vertices(const std::vector<ObjCorner>& corners, ObjMesh& result) {
-  std::vector<std::uint64_t> keys;
-  keys.reserve(corners.size());
-  for (const ObjCorner& corner : corners) keys.push_back(vertex_key(corner));
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  for (const std::uint64_t key : keys)
-    result.vertices.push_back(
-        {static_cast<std::uint32_t>(key >> 32), static_cast<std::int32_t>(static_cast<std::uint32_t>(key))});
+  std::vector<ObjCorner>& vertices = result.vertices;
+  vertices = corners;
+  std::sort(vertices.begin(), vertices.end(), comes_before);
+  vertices.erase(std::unique(vertices.begin(), vertices.end(), same_vertex), vertices.end());
   for (const ObjCorner& corner : corners) {
-    const auto found = std::lower_bound(keys.begin(), keys.end(), vertex_key(corner));
-    result.corner_vertices.push_back(static_cast<std::uint32_t>(found - keys.begin()));
+    const auto found = std::lower_bound(vertices.begin(), vertices.end(), corner, comes_before);
+    result.corner_vertices.push_back(static_cast<std::uint32_t>(found - vertices.begin()));
   }
 }
 
@@ -150,20 +150,21 @@ void check_topology(const ObjFile& file, const ObjFile& neutral) {
 ObjMesh make_mesh(const ObjFile& file, const ObjPart& part, ImportBudget& budget) {
   ObjMesh result;
   const std::vector<ObjCorner> corners = corners_of(file, part);
-  budget.charge(corners.size(), sizeof(std::uint64_t) + 2 * sizeof(ObjCorner) + sizeof(std::uint32_t), file.path);
+  budget.charge(corners.size(), 2 * sizeof(ObjCorner) + sizeof(std::uint32_t), file.path);
   number_vertices(corners, result);
 
   Mesh& mesh = result.mesh;
-  const bool with_normals = !file.normals.empty();
-  budget.charge(result.vertices.size(), 2 * sizeof(glm::vec3) + sizeof(glm::vec4), file.path);
+  const bool with_normals = !file.normals.empty(), with_uvs = !file.uvs.empty();
+  budget.charge(result.vertices.size(), 2 * sizeof(glm::vec3) + sizeof(glm::vec4) + sizeof(glm::vec2), file.path);
   for (const ObjCorner& vertex : result.vertices) {
     mesh.positions.push_back(file.positions[vertex.position]);
     if (with_normals) mesh.normals.push_back(stored_normal(file.normals[static_cast<std::size_t>(vertex.normal)]));
     if (!file.colors.empty()) mesh.colors.emplace_back(file.colors[vertex.position], 1.0f);
+    if (with_uvs) mesh.uvs.push_back(vertex.uv < 0 ? glm::vec2(0) : file.uvs[static_cast<std::size_t>(vertex.uv)]);
   }
   cut_faces(file, part, result);
   const auto is_triangle = [&](std::uint32_t face) { return file.faces[face].count == 3; };
-  if (with_normals || !std::all_of(part.faces.begin(), part.faces.end(), is_triangle))
+  if (with_normals || with_uvs || !std::all_of(part.faces.begin(), part.faces.end(), is_triangle))
     mesh.edges = polygon_sides(file, part, result);
   return result;
 }
@@ -175,11 +176,17 @@ MorphTarget make_target(const ObjFile& file, const ObjPart& part, const ObjMesh&
   for (const ObjCorner& vertex : neutral.vertices) target.positions.push_back(file.positions[vertex.position]);
   if (neutral.mesh.normals.empty() || file.normals.empty()) return target;
 
+  // Vertices that differ in their texture coordinates alone have one normal.
+  std::vector<std::size_t> first(neutral.vertices.size());
+  for (std::size_t v = 1; v < first.size(); ++v) {
+    const ObjCorner &a = neutral.vertices[v - 1], &b = neutral.vertices[v];
+    first[v] = a.position == b.position && a.normal == b.normal ? first[v - 1] : v;
+  }
   std::vector<glm::dvec3> sums(neutral.vertices.size());
   const std::vector<ObjCorner> corners = corners_of(file, part);
   for (std::size_t c = 0; c < corners.size(); ++c)
-    sums[neutral.corner_vertices[c]] += unit(file.normals[static_cast<std::size_t>(corners[c].normal)]);
-  for (const glm::dvec3& sum : sums) target.normals.push_back(stored_normal(sum));
+    sums[first[neutral.corner_vertices[c]]] += unit(file.normals[static_cast<std::size_t>(corners[c].normal)]);
+  for (const std::size_t v : first) target.normals.push_back(stored_normal(sums[v]));
   return target;
 }
 

@@ -22,7 +22,8 @@ struct ObjMesh {
   std::vector<std::uint32_t> corner_vertices;  // the vertex of each corner of the part's faces
 };
 
-// A vertex is a pair of position and normal that some face of the part uses, in the file's order of positions.
+// A vertex is what some face of the part uses together of position, normal and texture coordinates, in the file's order
+// of positions.
 ObjMesh make_mesh(const ObjFile& file, const ObjPart& part, ImportBudget& budget);
 
 // Error(bad_input) unless `file` can be a target of `neutral`; see obj_import.hpp.
