@@ -59,8 +59,14 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
     return command.add_option(name, value, help)->group("Image");
   };
   image("--size", scene.size, "Pixels, 1 to 16384 each; default: the shot's, 1920x1080 for a model")->type_name("WxH");
-  image("--channels", scene.channels, "RGBA (half, premultiplied), Z (float); default: the shot's, RGBA,Z for a model")
+  image("--channels", scene.channels,
+        "RGBA, Z, N, P, velocity, uv, albedo, object_id, material_id, coverage, crypto_object, crypto_material, with "
+        "commas between (see docs/channels.md); default: the shot's, RGBA,Z for a model")
       ->type_name("LIST");
+  image("--channel-names", scene.channel_names,
+        "What EXR files call them: plain (N.X), blender (ViewLayer.Normal.X), nuke (depth.Z); default: the shot's, "
+        "plain for a model")
+      ->type_name("NAME");
   image("--samples", scene.samples,
         "A pixel: 1, 2, 4, 8, 16; colour and alpha are their mean, Z stays the centre's; default: the shot's, 1 for a "
         "model")
@@ -72,6 +78,9 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
         "Relative error that Z of EXR frames is rounded within, so that it compresses: above 0, at most 0.1; default: "
         "the shot's, none for a model")
       ->type_name("E");
+  image("--p-error", scene.p_error, "The same of each component of P, relative to itself: above 0, at most 0.1")
+      ->type_name("E");
+  image("--n-error", scene.n_error, "The same of each component of N, absolute: above 0, at most 0.1")->type_name("E");
   command
       .add_option("--fps", scene.fps,
                   "Frames per second, N or N/D, each 1 to 1000000; default: the shot's, 25 for a model")

@@ -38,9 +38,14 @@ std::vector<std::int64_t> frames_to_compare(const CompareOptions& options, const
   return {frame_numbers(scene.frames).front()};
 }
 
-// The fp64 render sees what is at a pixel's centre, and lines one pixel wide. The same is drawn, and said where the
-// shot asks for more.
+// The fp64 render sees what is at a pixel's centre, and lines one pixel wide, and has no channels but RGBA and Z. The
+// same is drawn, and said where the shot asks for more.
 void compare_at_centres(Scene& scene) {
+  if (!(scene.image.channels - default_channels).empty())
+    print_message("note: compared are RGBA and Z, not the other channels of the shot");
+  scene.image.channels = scene.image.channels & default_channels;
+  if (scene.image.channels.empty()) scene.image.channels = default_channels;
+  scene.image.p_error = scene.image.n_error = 0;
   if (scene.image.samples > 1 && scene.image.has_color())
     print_message(
         fmt::format("note: compared is one sample a pixel, its centre, not the {} of the shot; see "

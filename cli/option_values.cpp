@@ -87,38 +87,67 @@ TimeBase parse_fps(const std::string& text) {
 }
 
 void set_channels(const std::string& list, ImageSettings& image) {
-  static const std::vector<std::string_view> later = {"N", "P", "velocity", "object_id", "coverage"};
+  const auto refuse = [](const std::string& message) { throw Error(ErrorKind::usage, "--channels", message); };
   image.channels = {};
   std::string_view rest = list;
   while (true) {
     const std::size_t comma = rest.find(',');
     const std::string_view name = rest.substr(0, comma);
-    if (name == "RGBA") {
-      image.channels.insert(Channel::color);
-    } else if (name == "Z") {
-      image.channels.insert(Channel::depth);
-    } else {
-      const bool known = std::find(later.begin(), later.end(), name) != later.end();
-      throw Error(
-          ErrorKind::usage, "--channels",
-          fmt::format("'{}' is {}; RGBA, Z or RGBA,Z", name, known ? "not drawn by this version" : "no channel"));
+    const std::optional<Channel> channel = channel_named(name);
+    if (!channel) {
+      std::vector<std::string_view> names;
+      for (const Channel known : every_channel) names.push_back(name_of(known));
+      refuse(fmt::format("'{}' is no channel{}", name, suggestion(name, names)));
     }
+    if (image.channels.contains(*channel)) refuse(fmt::format("'{}' is named twice", name));
+    image.channels.insert(*channel);
     if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
   if (!image.has_depth()) image.z_error = 0;
+  if (!image.channels.contains(Channel::position)) image.p_error = 0;
+  if (!image.channels.contains(Channel::normal)) image.n_error = 0;
 }
 
-void set_z_error(const std::string& text, ImageSettings& image) {
+void set_channel_names(const std::string& text, ImageSettings& image) {
+  const std::optional<ChannelNames> names = channel_names_named(text);
+  if (!names)
+    throw Error(ErrorKind::usage, "--channel-names",
+                fmt::format("'{}' is no choice of names{}", text,
+                            suggestion(text, {channel_names_names.begin(), channel_names_names.end()})));
+  image.channel_names = *names;
+}
+
+namespace {
+
+double channel_error(const char* option, const std::string& text, Channel channel, const ImageSettings& image) {
+  const bool absolute = channel == Channel::normal;
+  const double max = absolute ? max_absolute_error : max_relative_error;
   double error = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), error);
-  if (failure != std::errc() || end != text.data() + text.size() || !(error > 0 && error <= max_relative_error))
-    throw Error(ErrorKind::usage, "--z-error",
-                fmt::format("'{}' is no relative error of Z; a number above 0 and of at most {}, such as 1e-6", text,
-                            max_relative_error));
-  if (!image.has_depth())
-    throw Error(ErrorKind::usage, "--z-error", "is of channel Z, which is not among the channels; --channels RGBA,Z");
-  image.z_error = error;
+  if (failure != std::errc() || end != text.data() + text.size() || !(error > 0 && error <= max))
+    throw Error(ErrorKind::usage, option,
+                fmt::format("'{}' is no {} error of {}; a number above 0 and of at most {}, such as {}", text,
+                            absolute ? "absolute" : "relative", name_of(channel), max, absolute ? "1e-3" : "1e-6"));
+  if (!image.channels.contains(channel))
+    throw Error(ErrorKind::usage, option,
+                fmt::format("is of channel {}, which is not among the channels; --channels RGBA,{}", name_of(channel),
+                            name_of(channel)));
+  return error;
+}
+
+}  // namespace
+
+void set_z_error(const std::string& text, ImageSettings& image) {
+  image.z_error = channel_error("--z-error", text, Channel::depth, image);
+}
+
+void set_p_error(const std::string& text, ImageSettings& image) {
+  image.p_error = channel_error("--p-error", text, Channel::position, image);
+}
+
+void set_n_error(const std::string& text, ImageSettings& image) {
+  image.n_error = channel_error("--n-error", text, Channel::normal, image);
 }
 
 void set_compression(const std::string& name, ImageSettings& image) {

@@ -30,11 +30,15 @@ void check_options_of_format(const RenderOptions& options, FrameFormat format) {
   }
   if (options.scene.compression)
     refuse("--compression", "is of EXR frames, and these are PNG frames, which lose nothing by theirs; leave it out");
+  if (options.scene.channel_names)
+    refuse("--channel-names", "is of EXR frames, and PNG frames hold RGBA alone; leave it out");
   if (options.scene.z_error) refuse("--z-error", "is of Z in EXR frames, and PNG frames have none; leave it out");
+  if (options.scene.p_error) refuse("--p-error", "is of P in EXR frames, and PNG frames have none; leave it out");
+  if (options.scene.n_error) refuse("--n-error", "is of N in EXR frames, and PNG frames have none; leave it out");
   if (options.preview) refuse("--preview", "is a PNG beside each EXR frame, and these are PNG frames; leave it out");
   ImageSettings asked;
   if (options.scene.channels) set_channels(*options.scene.channels, asked);
-  if (options.scene.channels && asked.has_depth())
+  if (options.scene.channels && !(asked.channels - ChannelSet{Channel::color}).empty())
     refuse("--channels", "PNG frames hold RGBA alone; --channels RGBA, or an output that ends in .exr");
 }
 
@@ -55,10 +59,11 @@ int render_command(const RenderOptions& options) {
   const double exposure_stops = options.exposure ? parse_exposure(*options.exposure) : 0;
 
   Scene scene = open_scene(options.scene);
-  // Depth that a shot has for its EXR frames. Of depth alone run() says that no PNG can be made.
+  // What else a shot has for its EXR frames. Of a shot without colour run() says that no PNG can be made.
   if (format == FrameFormat::png && scene.image.has_color()) {
-    scene.image.channels.erase(Channel::depth);
-    scene.image.z_error = 0;
+    scene.image.channels = {Channel::color};
+    scene.image.channel_names = ChannelNames::plain;
+    scene.image.z_error = scene.image.p_error = scene.image.n_error = 0;
   }
   if (ranges) scene.frames = *ranges;
   print_warnings(scene);

@@ -9,6 +9,7 @@
 #include "cli/json_object.hpp"
 #include "cli/object_info.hpp"
 #include "cli/table.hpp"
+#include "host/scene/model/material_list.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
 
@@ -74,10 +75,20 @@ std::string part_text(const ModelPart& part) {
   return text + (part.used ? "" : ", not used");
 }
 
+std::string channel_list(ChannelSet channels, std::string_view separator) {
+  std::string text;
+  for (const Channel channel : channels) text += fmt::format("{}{}", text.empty() ? "" : separator, name_of(channel));
+  return text;
+}
+
 std::string image_text(const ImageSettings& image) {
-  std::string text = fmt::format("{}x{}, {}{}, {}", image.width, image.height, image.has_color() ? "RGBA " : "",
-                                 image.has_depth() ? "Z" : "", image.compression);
+  std::string text =
+      fmt::format("{}x{}, {}, {}", image.width, image.height, channel_list(image.channels, " "), image.compression);
+  if (image.channel_names != ChannelNames::plain)
+    text += fmt::format(", {} channel names", name_of(image.channel_names));
   if (image.z_error != 0) text += fmt::format(", Z within {} of itself", image.z_error);
+  if (image.p_error != 0) text += fmt::format(", P within {} of itself", image.p_error);
+  if (image.n_error != 0) text += fmt::format(", N within {}", image.n_error);
   return text;
 }
 
@@ -93,8 +104,12 @@ void print_json(const Scene& scene) {
   print_result(line_of(json_object("scene", {{"name", scene.name},
                                              {"width", scene.image.width},
                                              {"height", scene.image.height},
+                                             {"channels", channel_list(scene.image.channels, ",")},
+                                             {"channel_names", std::string(name_of(scene.image.channel_names))},
                                              {"compression", scene.image.compression},
                                              {"z_error", scene.image.z_error},
+                                             {"p_error", scene.image.p_error},
+                                             {"n_error", scene.image.n_error},
                                              {"frames", range_text(scene.frames)},
                                              {"fps", fps_text(scene.timeline.time)},
                                              {"objects", scene.objects.size()},
@@ -110,6 +125,7 @@ void print_json(const Scene& scene) {
                                               {"triangles", mesh.triangles.size()},
                                               {"normals", !mesh.normals.empty()},
                                               {"colors", !mesh.colors.empty()},
+                                              {"uvs", !mesh.uvs.empty()},
                                               {"targets", mesh.targets.size()},
                                               {"target_names", target_names(mesh)}})));
   for (const ModelPart& part : scene.parts)
@@ -118,12 +134,19 @@ void print_json(const Scene& scene) {
                                                             {"name", part.name},
                                                             {"seconds", part.seconds},
                                                             {"used", part.used}})));
+  const MaterialList materials = list_materials(scene);
+  for (std::size_t i = 0; i < materials.names.size(); ++i)
+    print_result(line_of(json_object("material", {{"id", i + 1}, {"name", materials.names[i]}})));
   NodeSampler nodes = first_nodes(scene);
-  for (const Object& object : scene.objects)
-    print_result(line_of(json_object("object", {{"name", object.name},
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    print_result(line_of(json_object("object", {{"id", i + 1},
+                                                {"name", object.name},
                                                 {"mesh", scene.meshes[object.mesh].name},
+                                                {"material", materials.names[materials.of_object[i]]},
                                                 {"shading", shading_name(scene, object)},
                                                 {"placement", describe_placement(object, nodes)}})));
+  }
   for (const std::string& warning : scene.warnings) print_result(line_of(json_object("warning", {{"text", warning}})));
 }
 
@@ -145,6 +168,13 @@ void print_table(const Scene& scene) {
         fmt::format("{}: {} vertices, {} triangles", mesh.name, mesh.positions.size(), mesh.triangles.size());
     if (!mesh.targets.empty()) text += fmt::format(", {} morph targets: {}", mesh.targets.size(), target_names(mesh));
     rows.push_back({"mesh", printable(text)});
+  }
+  // Where no material has a name of its own there is one an object, of its name.
+  const auto is_named = [](const Object& object) { return !object.material.name.empty(); };
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), is_named)) {
+    const std::vector<std::string> materials = material_names(scene);
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      rows.push_back({"material", printable(fmt::format("{}: {}", i + 1, materials[i]))});
   }
   NodeSampler nodes = first_nodes(scene);
   for (const Object& object : scene.objects)

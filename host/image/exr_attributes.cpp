@@ -113,7 +113,12 @@ void add_attributes(Imf::Header& header, const FrameAttributes& attributes, cons
   add_cryptomatte(header, attributes);
   header.insert(fingerprint_attribute, Imf::StringAttribute(attributes.fingerprint));
   if (!attributes.deviation.empty()) header.insert(deviation_attribute, Imf::StringAttribute(attributes.deviation));
-  if (attributes.z_error != 0) header.insert(z_error_attribute, Imf::DoubleAttribute(attributes.z_error));
+  const auto add_error = [&header](const char* name, double error) {
+    if (error != 0) header.insert(name, Imf::DoubleAttribute(error));
+  };
+  add_error(z_error_attribute, attributes.z_error);
+  add_error(p_error_attribute, attributes.p_error);
+  add_error(n_error_attribute, attributes.n_error);
   header.insert(pixel_hash_attribute, Imf::StringAttribute(pixel_hash));
 }
 
@@ -129,6 +134,8 @@ FrameAttributes attributes_of(const Imf::Header& header) {
   if (const auto* m = find<Imath::M44f>(header, "worldToNDC"))
     attributes.world_to_ndc = ndc_from_unit_square(from_imath(*m));
   if (const double* error = find<double>(header, z_error_attribute)) attributes.z_error = *error;
+  if (const double* error = find<double>(header, p_error_attribute)) attributes.p_error = *error;
+  if (const double* error = find<double>(header, n_error_attribute)) attributes.n_error = *error;
   attributes.deviation = text_attribute(header, deviation_attribute);
   attributes.fingerprint = text_attribute(header, fingerprint_attribute);
   return attributes;

@@ -126,14 +126,16 @@ class SceneHasher {
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
   }
   void add(const ImageSettings& image) {
-    const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error] =
-        image;
+    const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error,
+                 p_error, n_error] = image;
     add_all(width, height, image.has_color(), image.has_depth(), std::string_view(compression), depth_format,
             background.has_value());
     if (background) add_all(background->top, background->bottom);
     // Only what differs from the default, and by name, so that files of earlier versions stay valid.
     if (samples != 1) add_all(std::string_view("samples"), samples);
     if (z_error != 0) add_all(std::string_view("z_error"), z_error);
+    if (p_error != 0) add_all(std::string_view("p_error"), p_error);
+    if (n_error != 0) add_all(std::string_view("n_error"), n_error);
     for (const Channel channel : channels - default_channels) add(name_of(channel));
     if (channel_names != ChannelNames::plain) add_all(std::string_view("channel_names"), channel_names);
   }

@@ -28,9 +28,14 @@ FrameFile::FrameFile(const RenderJob& job, const ImageSettings& image)
     : format_(frame_format(job.pattern)),
       compression_(image.compression),
       z_error_(image.z_error),
+      p_error_(image.p_error),
+      n_error_(image.n_error),
       sample_bits_(job.sample_bits),
       exposure_(checked_stops(job)) {
-  check_compression(compression_);
+  if (format_ == FrameFormat::exr)
+    check_compression(compression_, image.channels);
+  else
+    check_compression(compression_);
   check_png_bits(sample_bits_);
   if (format_ == FrameFormat::exr && sample_bits_ != 8)
     throw Error(ErrorKind::usage, "", "PNG bits for EXR frames; end the output in .png, or leave them at 8");
@@ -48,6 +53,8 @@ std::string FrameFile::encode(std::vector<char>& bytes, FrameBuffer& frame, cons
                               int threads) const {
   if (format_ == FrameFormat::png) return encode_png(bytes, frame, attributes, sample_bits_, threads, exposure_);
   if (z_error_ != 0) round_depth(frame, z_error_);
+  if (p_error_ != 0) round_position(frame, p_error_);
+  if (n_error_ != 0) round_normal(frame, n_error_);
   return encode_exr(bytes, frame, attributes, compression_, threads);
 }
 

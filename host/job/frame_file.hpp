@@ -42,7 +42,7 @@ class FrameFile {
  private:
   const FrameFormat format_;
   const std::string compression_;
-  const double z_error_;
+  const double z_error_, p_error_, n_error_;
   const int sample_bits_;
   const Exposure exposure_;  // of PNG files
 };

@@ -192,7 +192,10 @@ FrameTask JobRun::task_for(const PlannedFrame& planned) const {
   if (planned.plan) task.attributes = planned.plan->attributes();
   task.attributes.fingerprint = output_.fingerprint();
   task.attributes.deviation = renderer_.deviation();
-  task.attributes.z_error = planner_.scene().image.z_error;
+  const ImageSettings& image = planner_.scene().image;
+  task.attributes.z_error = image.z_error;
+  task.attributes.p_error = image.p_error;
+  task.attributes.n_error = image.n_error;
   task.picture = planned.digest;
   return task;
 }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "host/math/widest_vectors.hpp"
 #include "morphcl/error.hpp"
@@ -48,6 +50,16 @@ int mantissa_bits_for(double relative_error) {
   int bits = 0;
   while (bits < float_mantissa_bits && !keeps_error(bits, relative_error)) ++bits;
   return bits;
+}
+
+double step_for(double absolute_error) {
+  if (!(absolute_error > 0 && absolute_error <= max_absolute_error))
+    throw Error(ErrorKind::usage, "",
+                fmt::format("an absolute error of {}; more than 0 and at most {} is possible, such as 1e-3",
+                            absolute_error, max_absolute_error));
+  int exponent = 0;
+  std::frexp(absolute_error, &exponent);  // 2^(exponent - 1) <= absolute_error: half the step
+  return std::ldexp(1.0, std::max(exponent, std::numeric_limits<double>::min_exponent));
 }
 
 void round_mantissas(std::span<float> values, int bits, float kept) {

@@ -129,6 +129,12 @@ constexpr ChannelSet cryptomatte_channels{Channel::crypto_object, Channel::crypt
 enum class ChannelNames : std::uint8_t { plain, blender, nuke };
 constexpr std::array<std::string_view, 3> channel_names_names{"plain", "blender", "nuke"};
 constexpr std::string_view name_of(ChannelNames names) { return channel_names_names[static_cast<std::size_t>(names)]; }
+// Nothing for another name.
+constexpr std::optional<ChannelNames> channel_names_named(std::string_view name) {
+  for (std::size_t i = 0; i < channel_names_names.size(); ++i)
+    if (channel_names_names[i] == name) return static_cast<ChannelNames>(i);
+  return std::nullopt;
+}
 
 }  // namespace morphcl
 #pragma GCC visibility pop

@@ -33,6 +33,8 @@ struct FrameAttributes {
   std::string fingerprint = {};  // of the shot and the settings; a resumed job trusts only frames with its own
   std::string deviation = {};    // Renderer::deviation(); stored as morphclDeviation unless it is empty
   double z_error = 0;            // that Z was rounded within (round_depth()); stored as morphclZError unless it is 0
+  double p_error = 0,
+         n_error = 0;  // the same of P and N (round_position(), round_normal()): morphclPError, morphclNError
   ChannelNames channel_names = ChannelNames::plain;  // what the file calls the frame's planes
   // Of a frame with crypto_object or crypto_material; null: its layers are described without a manifest.
   std::shared_ptr<const CryptomatteManifests> manifests = {};

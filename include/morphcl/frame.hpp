@@ -164,6 +164,14 @@ std::string pixel_hash(const FrameBuffer& frame);
 // unless 0 < relative_error <= max_relative_error.
 void round_depth(FrameBuffer& frame, double relative_error);
 
+// The same of each component of P: the error is relative to the component itself. Zeros stay.
+void round_position(FrameBuffer& frame, double relative_error);
+
+// Rounds each component of N to the nearest multiple, ties to even, of step_for(absolute_error) (numerics.hpp), so that
+// it moves by no more than that. What is rounded is a half again; normals are no longer of exactly unit length.
+// Error(usage) as step_for() has it.
+void round_normal(FrameBuffer& frame, double absolute_error);
+
 // ---- plain arrays ---------------------------------------------------------------------------------------------------
 //
 // 4 values a pixel (R, G, B, A), row after row from the top, without padding. Error(usage) when the frame has no

@@ -137,6 +137,11 @@ constexpr double max_relative_error = 0.1;
 // unless 0 < relative_error <= max_relative_error.
 int mantissa_bits_for(double relative_error);
 
+// The largest power of two of whose multiples the nearest is within `absolute_error` of any number. Error(usage) unless
+// 0 < absolute_error <= max_absolute_error.
+constexpr double max_absolute_error = 0.1;
+double step_for(double absolute_error);
+
 // Rounds each value to `bits` (0 to 23) of its mantissa, to nearest, ties to even. Zeros, infinities, NaN and `kept`
 // stay as they are; so do denormals, which have fewer bits, and what would round to infinity.
 void round_mantissas(std::span<float> values, int bits, float kept = 0);

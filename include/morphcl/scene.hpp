@@ -85,6 +85,8 @@ struct ImageSettings {
   // The relative error of Z that EXR files may have, so that they are smaller (round_depth() in frame.hpp); 0: none.
   // At most max_relative_error (numerics.hpp), and only beside Z. Renderers draw Z as it is.
   double z_error = 0;
+  double p_error = 0;  // the same of each component of P, relative to itself (round_position()), beside P
+  double n_error = 0;  // of each component of N, absolute, at most max_absolute_error (round_normal()), beside N
 
   bool has_color() const { return channels.contains(Channel::color); }
   bool has_depth() const { return channels.contains(Channel::depth); }

@@ -205,7 +205,8 @@ CoverageError& CoverageError::operator+=(const CoverageError& other) {
 }
 
 Scene scene_for_coverage(Scene scene) {
-  scene.image.channels.insert(Channel::color);
+  scene.image.channels = (scene.image.channels & default_channels) | ChannelSet{Channel::color};
+  scene.image.p_error = scene.image.n_error = 0;
   scene.image.samples = sample_counts.back();
   return scene;
 }

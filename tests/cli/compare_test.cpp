@@ -120,6 +120,16 @@ TEST_F(Compare, SaysThatOneSampleIsCompared) {
   EXPECT_EQ(compare({"--truth", "grid", "--channels", "Z", "--samples", "8"}).err, "") << "Z has one sample anyway";
 }
 
+TEST_F(Compare, SaysThatOtherChannelsAreNotCompared) {
+  const ToolResult two = compare({"--truth", "grid"});
+  for (const char* channels : {"RGBA,Z,N,crypto_object", "velocity"}) {
+    const ToolResult more = compare({"--truth", "grid", "--channels", channels});
+    EXPECT_EQ(more.code, 0) << more.err;
+    EXPECT_THAT(more.err, HasSubstr("note: compared are RGBA and Z, not the other channels of the shot"));
+    EXPECT_EQ(more.out, two.out);
+  }
+}
+
 TEST_F(Compare, SaysThatLinesAreComparedOnePixelWide) {
   const auto compare_lines = [this](const std::string& more) {
     const std::string shot = plant("lines.toml", cube_shot() +

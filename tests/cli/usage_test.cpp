@@ -57,10 +57,25 @@ TEST_F(Usage, ZErrorWithAUnit) { expect_usage_error({"--z-error", "1%"}, "'1%'")
 TEST_F(Usage, ZErrorWithoutZ) {
   expect_usage_error({"--z-error", "1e-6", "--channels", "RGBA"}, "--z-error: is of channel Z, which is not among");
 }
+TEST_F(Usage, PErrorWithoutP) {
+  expect_usage_error({"--p-error", "1e-6"},
+                     "--p-error: is of channel P, which is not among the channels; --channels RGBA,P");
+}
+TEST_F(Usage, NErrorTooLarge) { expect_usage_error({"--n-error", "0.2"}, "'0.2' is no absolute error of N"); }
 TEST_F(Usage, ZErrorOfPng) { expect_usage_error({"-o", "a.#.png", "--z-error", "1e-6"}, "--z-error: "); }
 TEST_F(Usage, UnknownChannel) { expect_usage_error({"--channels", "RGB"}, "'RGB' is no channel"); }
 TEST_F(Usage, EmptyChannel) { expect_usage_error({"--channels", "RGBA,"}, "--channels"); }
-TEST_F(Usage, ChannelOfALaterVersion) { expect_usage_error({"--channels", "N"}, "not drawn by this version"); }
+TEST_F(Usage, ChannelThatIsNearlyOne) {
+  expect_usage_error({"--channels", "RGBA,velocty"}, "--channels: 'velocty' is no channel; did you mean \"velocity\"?");
+}
+TEST_F(Usage, ChannelTwice) { expect_usage_error({"--channels", "Z,N,Z"}, "--channels: 'Z' is named twice"); }
+TEST_F(Usage, UnknownChannelNames) {
+  expect_usage_error({"--channel-names", "houdini"}, "--channel-names: 'houdini' is no choice of names; known: plain");
+}
+TEST_F(Usage, LossyIds) {
+  expect_usage_error({"--channels", "RGBA,crypto_material", "--compression", "pxr24"},
+                     "--compression: the compression pxr24 is lossy, and crypto_material holds ids");
+}
 TEST_F(Usage, PatternWithoutNumber) { expect_usage_error({"-o", "out.exr"}, "out.exr"); }
 TEST_F(Usage, PatternWithTwoNumbers) { expect_usage_error({"-o", "a.####.%04d.exr"}, "a.####.%04d.exr"); }
 TEST_F(Usage, PatternOfAVideo) { expect_usage_error({"-o", "out.mp4"}, "ffmpeg"); }
@@ -69,6 +84,8 @@ TEST_F(Usage, PatternWithoutEnding) { expect_usage_error({"-o", "a.####"}, "'a.#
 TEST_F(Usage, PngBitsOfNoPng) { expect_usage_error({"-o", "a.#.png", "--png-bits", "12"}, "8 or 16"); }
 TEST_F(Usage, PngBitsOfExr) { expect_usage_error({"--png-bits", "16"}, "--png-bits: "); }
 TEST_F(Usage, PngWithDepth) { expect_usage_error({"-o", "a.#.png", "--channels", "RGBA,Z"}, "--channels RGBA"); }
+TEST_F(Usage, PngWithNormals) { expect_usage_error({"-o", "a.#.png", "--channels", "RGBA,N"}, "--channels RGBA"); }
+TEST_F(Usage, PngWithChannelNames) { expect_usage_error({"-o", "a.#.png", "--channel-names", "nuke"}, "PNG frames"); }
 TEST_F(Usage, PngWithCompression) { expect_usage_error({"-o", "a.#.png", "--compression", "zip"}, "--compression: "); }
 TEST_F(Usage, PngWithPreview) { expect_usage_error({"-o", "a.#.png", "--preview"}, "--preview: "); }
 TEST_F(Usage, ExposureOfNoNumber) { expect_usage_error({"--exposure", "bright"}, "--exposure: 'bright' is no"); }
@@ -141,9 +158,11 @@ TEST(Help, IsOnStdoutWithCodeZero) {
 
 TEST(Help, OfRenderNamesEveryOptionOfTheContractWithItsGroup) {
   const std::string help = run_tool({"render", "--help"}).out;
-  for (const char* option : {"--output", "--frames", "--size", "--channels", "--compression", "--device", "--threads",
-                             "--resume", "--png-bits", "--verify", "--json", "--quiet", "--contact-sheet", "--preview",
-                             "--exposure", "--z-error", "--view", "--fps", "--allow-outside"})
+  for (const char* option :
+       {"--output",        "--frames",  "--size",     "--channels",     "--compression", "--device",
+        "--threads",       "--resume",  "--png-bits", "--verify",       "--json",        "--quiet",
+        "--contact-sheet", "--preview", "--exposure", "--z-error",      "--p-error",     "--n-error",
+        "--channel-names", "--view",    "--fps",      "--allow-outside"})
     EXPECT_THAT(help, HasSubstr(option));
   for (const char* group : {"Image:", "Time:", "Output:", "Device:", "Report:", "Input:"})
     EXPECT_THAT(help, HasSubstr(group));

@@ -17,12 +17,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   may_refuse([&] { cli::parse_seed(text); });
   ImageSettings image;
   may_refuse([&] { cli::set_channels(text, image); });
+  may_refuse([&] { cli::set_channel_names(text, image); });
   may_refuse([&] { cli::set_compression(text, image); });
   may_refuse([&] { cli::set_depth_buffer(text, image); });
-  image.channels.insert(Channel::depth);
+  image.channels = every_channel;
   may_refuse([&] {
     cli::set_z_error(text, image);
     demand(image.z_error > 0 && image.z_error <= 0.1, "an error bound in range");
+  });
+  may_refuse([&] {
+    cli::set_n_error(text, image);
+    demand(image.n_error > 0 && image.n_error <= 0.1, "an error bound in range");
   });
   return 0;
 }

@@ -40,6 +40,58 @@ TEST(RoundDepth, IsRoundMantissasOfEveryPixelButTheBackground) {
   }
 }
 
+TEST(RoundPosition, IsRoundMantissasOfEveryComponent) {
+  const FrameBuffer before = arbitrary_frame(120, 40, every_channel);
+  FrameBuffer frame = arbitrary_frame(120, 40, every_channel);
+  round_position(frame, 1e-4);
+  for (int plane = 0; plane < 3; ++plane)
+    for (int y = 0; y < 40; ++y)
+      for (std::size_t x = 0; x < 120; ++x) {
+        float expected = before.float_row(Channel::position, plane, y)[x];
+        round_mantissas({&expected, 1}, mantissa_bits_for(1e-4));
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(std::as_const(frame).float_row(Channel::position, plane, y)[x]),
+                  std::bit_cast<std::uint32_t>(expected));
+      }
+  for (int y = 0; y < 40; ++y)  // nothing else is
+    EXPECT_TRUE(std::ranges::equal(std::as_const(frame).plane_row(Channel::depth, 0, y),
+                                   before.plane_row(Channel::depth, 0, y)));
+}
+
+// Every half: the nearest multiple of the step, ties to even, which doubles hold exactly, and within the error.
+TEST(RoundNormal, EveryHalfBecomesItsNearestMultiple) {
+  for (const double error : {0.1, 0.0625, 1e-2, 1e-3, 2.5e-4, 1e-5, 3e-8}) {
+    FrameBuffer frame(256, 256, {Channel::normal});
+    const auto bits_at = [](int x, int y) { return static_cast<std::uint16_t>(256 * y + x); };
+    for (int y = 0; y < 256; ++y)
+      for (int x = 0; x < 256; ++x) frame.half_row(Channel::normal, 1, y)[static_cast<std::size_t>(x)] = bits_at(x, y);
+    round_normal(frame, error);
+    const double step = step_for(error);
+    ASSERT_LE(step / 2, error);
+    ASSERT_GT(step, error) << "the next step would be too large";
+    for (int y = 0; y < 256; ++y)
+      for (int x = 0; x < 256; ++x) {
+        const std::uint16_t found = std::as_const(frame).half_row(Channel::normal, 1, y)[static_cast<std::size_t>(x)];
+        const double exact = from_half(bits_at(x, y));
+        if (!std::isfinite(exact)) {
+          ASSERT_EQ(found, bits_at(x, y));
+          continue;
+        }
+        ASSERT_EQ(from_half(found), std::nearbyint(exact / step) * step) << exact << " within " << error;
+        ASSERT_EQ(std::signbit(from_half(found)), std::signbit(exact));
+        ASSERT_LE(std::abs(from_half(found) - exact), error);
+      }
+  }
+}
+
+TEST(RoundNormal, LeavesAFrameWithoutNormalsAndRefusesWhatIsNoError) {
+  FrameBuffer frame = disc_frame(40, 40);
+  round_normal(frame, 0.1);
+  round_position(frame, 0.1);
+  EXPECT_EQ(difference(disc_frame(40, 40), frame), "");
+  for (const double error : {0.0, -0.1, 0.11, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(round_normal(frame, error), Error) << error;
+}
+
 TEST(RoundDepth, LeavesBlankBlocksAndTheirNotes) {
   FrameBuffer frame = disc_frame(200, 90);
   round_depth(frame, 1e-3);

@@ -32,6 +32,11 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.image.channels.erase(Channel::depth); },
       [](Scene& s) { s.image.compression = "zip"; },
       [](Scene& s) { s.image.depth_format = DepthFormat::fixed24; },
+      [](Scene& s) { s.image.channels.insert(Channel::normal); },
+      [](Scene& s) { s.image.channels.insert(Channel::velocity); },
+      [](Scene& s) { s.image.channel_names = ChannelNames::nuke; },
+      [](Scene& s) { s.image.p_error = 1e-6; },
+      [](Scene& s) { s.image.n_error = 1e-6; },
       [](Scene& s) { s.image.z_error = 1e-6; },
       [](Scene& s) { s.image.z_error = 1e-5; },
       [](Scene& s) { s.image.samples = 4; },
@@ -82,6 +87,29 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
     Scene scene = full_scene();
     changes[i](scene);
     EXPECT_TRUE(seen.insert(fingerprint(scene)).second) << "change " << i;
+  }
+}
+
+// Only where a channel shows it, so that frames without that channel stay finished.
+TEST(Fingerprint, NamesAndTextureCoordinatesCountWhereAChannelShowsThem) {
+  const std::function<void(Scene&)> changes[] = {
+      [](Scene& s) { s.objects[0].name = "other"; },
+      [](Scene& s) { s.objects[0].material.name = "paint"; },
+      [](Scene& s) { s.meshes[0].uvs.resize(s.meshes[0].positions.size()); },
+  };
+  const auto changes_with = [&changes](std::size_t change, ChannelSet channels) {
+    Scene before = full_scene(), after = full_scene();
+    before.image.channels = after.image.channels = channels;
+    changes[change](after);
+    return fingerprint(before) != fingerprint(after);
+  };
+  for (const Channel channel : every_channel) {
+    const bool named = channel == Channel::crypto_object;
+    const bool of_material = channel == Channel::crypto_material || channel == Channel::material_id;
+    EXPECT_EQ(changes_with(0, {channel}), named || of_material)
+        << name_of(channel) << ": a material has its object's name";
+    EXPECT_EQ(changes_with(1, {channel}), of_material) << name_of(channel);
+    EXPECT_EQ(changes_with(2, {channel}), channel == Channel::uv) << name_of(channel);
   }
 }
 

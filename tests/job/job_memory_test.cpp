@@ -38,6 +38,20 @@ TEST(JobMemory, WithRoomItIsAsManyAsAskedFor) {
   EXPECT_EQ(resumed.checkers, 4);
 }
 
+// All channels of 4K take 160 bytes a pixel, 1327 MB: in each buffer, in a written file half of that.
+TEST(JobMemory, ChannelsTakeRoom) {
+  ImageSettings image = image_of(3840, 2160);
+  image.channels = every_channel;
+  static_assert(pixel_bytes(every_channel) == 160);
+  RenderJob job;
+  job.reuse_equal_frames = false;
+  const WriteQueue::Limits queue = job_limits(job, image, {}, 4, 3 * 1991 * megabyte).queue;
+  EXPECT_LE(queue.buffers * 1327 + queue.threads * 664, 3 * 1991);
+  EXPECT_NO_THROW(job_limits(job, image, {}, 4, 1991 * megabyte));
+  image.channels = default_channels;
+  EXPECT_EQ(job_limits(job, image, {}, 4, 3 * 1991 * megabyte).queue.buffers, 5);
+}
+
 // A frame of 8K takes 398 MB, its file is reckoned with half of that.
 TEST(JobMemory, WithLessItIsFewerAndThenARefusalWithTheNumbers) {
   RenderJob job;

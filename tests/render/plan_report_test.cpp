@@ -190,6 +190,16 @@ TEST(PlanReport, NamesTheRoundingOfDepthWithItsReason) {
   EXPECT_TRUE(find_note(rounds, "rounding of Z")->done);
   EXPECT_EQ(find_note(rounds, "rounding of Z")->reason,
             "z_error is 1e-06: 19 of 23 mantissa bits keep it, the others would fill files");
+  scene.image.channels = every_channel;
+  scene.image.p_error = 1e-4;
+  scene.image.n_error = 1e-3;
+  const PlanReport all = report_of(scene, 0);
+  EXPECT_EQ(find_note(all, "rounding of P")->reason,
+            "p_error is 0.0001: 13 of 23 mantissa bits keep it, the others would fill files");
+  EXPECT_EQ(find_note(all, "rounding of N")->reason,
+            "n_error is 0.001: multiples of 0.001953125 keep it, the bits below would fill files");
+  scene.image.n_error = 1e-9;
+  EXPECT_FALSE(find_note(report_of(scene, 0), "rounding of N")->done);
   scene.image.z_error = 1e-8;
   const PlanReport exact = report_of(scene, 0);
   EXPECT_FALSE(find_note(exact, "rounding of Z")->done);
@@ -220,6 +230,26 @@ TEST(PlanReport, SaysWhySeveralSamplesAreDrawnOrNot) {
   const PlanReport distances = report_of(scene, 0);
   EXPECT_FALSE(find_note(distances, "samples")->done);
   EXPECT_EQ(find_note(distances, "samples")->reason, "4 a pixel are asked for, but no colour");
+}
+
+TEST(PlanReport, NamesEveryChannelWithItsBytes) {
+  Scene scene = there_and_back();
+  const PlanReport two = report_of(scene, 0);
+  EXPECT_EQ(find_note(two, "RGBA")->reason, "asked for: 8 bytes a pixel");
+  EXPECT_EQ(find_note(two, "Z")->reason, "asked for: 4 bytes a pixel");
+  EXPECT_FALSE(find_note(two, "other channels")->done);
+  EXPECT_EQ(
+      find_note(two, "other channels")->reason,
+      "N, P, velocity, uv, albedo, object_id, material_id, coverage, crypto_object, crypto_material: not among the "
+      "channels");
+  scene.image.channels = every_channel - ChannelSet{Channel::depth};
+  const PlanReport others = report_of(scene, 0);
+  EXPECT_FALSE(find_note(others, "Z")->done);
+  EXPECT_EQ(find_note(others, "other channels"), nullptr);
+  EXPECT_TRUE(find_note(others, "N")->done);
+  EXPECT_EQ(find_note(others, "N")->reason, "asked for: 6 bytes a pixel");
+  EXPECT_EQ(find_note(others, "crypto_object")->reason, "asked for: 48 bytes a pixel");
+  EXPECT_GT(others.memory.pixels, 10 * two.memory.pixels);
 }
 
 TEST(PlanReport, SaysWhichBufferIsTooLargeForADevice) {

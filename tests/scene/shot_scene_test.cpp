@@ -18,11 +18,14 @@ constexpr std::string_view full_shot = R"(
 ambient = [0.1, 0.2, 0.3]
 [image]
 size = [320, 180]
-channels = ["Z"]
+channels = ["crypto_object", "Z", "velocity", "P", "N"]
+channel_names = "nuke"
 samples = 8
 compression = "piz"
 depth_buffer = "fixed24"
 z_error = 1e-6
+p_error = 1e-5
+n_error = 1e-3
 [accuracy]
 pixels = 0.01
 [frames]
@@ -61,11 +64,14 @@ TEST(Shot, ReadsImageFramesAndAmbient) {
   EXPECT_EQ(scene.name, "shot");
   EXPECT_EQ(scene.image.width, 320);
   EXPECT_EQ(scene.image.height, 180);
-  EXPECT_FALSE(scene.image.has_color());
-  EXPECT_TRUE(scene.image.has_depth());
+  EXPECT_EQ(scene.image.channels, (ChannelSet{Channel::depth, Channel::normal, Channel::position, Channel::velocity,
+                                              Channel::crypto_object}));
+  EXPECT_EQ(scene.image.channel_names, ChannelNames::nuke);
   EXPECT_EQ(scene.image.compression, "piz");
   EXPECT_EQ(scene.image.depth_format, DepthFormat::fixed24);
   EXPECT_EQ(scene.image.z_error, 1e-6);
+  EXPECT_EQ(scene.image.p_error, 1e-5);
+  EXPECT_EQ(scene.image.n_error, 1e-3);
   EXPECT_EQ(scene.image.samples, 8);
   EXPECT_EQ(scene.accuracy_pixels, 0.01);
   EXPECT_EQ(frame_numbers(scene.frames).size(), 12u);

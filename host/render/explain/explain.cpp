@@ -84,24 +84,56 @@ class Notes {
   }
 
   void channels() {
-    note("RGBA", plan_.has_color(), plan_.has_color() ? "asked for" : "not among the channels", costs_.color);
+    note("RGBA", plan_.has_color(), reason_of(Channel::color), costs_.color);
     if (plan_.background) note("background", true, "colour of every pixel where nothing is drawn", 0);
-    note("Z", plan_.has_depth(), plan_.has_depth() ? "asked for" : "not among the channels", costs_.depth);
+    note("Z", plan_.has_depth(), reason_of(Channel::depth), costs_.depth);
+    other_channels();
     rounding();
   }
 
-  // Of Z in files. It is done by the threads that write them: the estimate is of drawing.
+  std::string reason_of(Channel channel) const {
+    return plan_.has(channel) ? fmt::format("asked for: {} bytes a pixel", pixel_bytes(channel))
+                              : "not among the channels";
+  }
+
+  // Those that are not asked for in one line: most frames have none of them.
+  void other_channels() {
+    std::string names;
+    for (const Channel channel : every_channel - default_channels)
+      if (plan_.has(channel))
+        note(std::string(name_of(channel)), true, reason_of(channel), 0);
+      else
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(channel));
+    if (!names.empty()) note("other channels", false, names + ": not among the channels", 0);
+  }
+
+  // Of Z, P and N in files. It is done by the threads that write them: the estimate is of drawing.
   void rounding() {
-    const double error = scene_.image.z_error;
+    const ImageSettings& image = scene_.image;
+    round_mantissas_of("Z", "z_error", image.z_error);
+    round_mantissas_of("P", "p_error", image.p_error);
+    if (image.n_error == 0) return;
+    const double step = step_for(image.n_error);
+    constexpr double min_half = 0x1p-24;
+    const bool rounds = step > min_half;
+    note("rounding of N", rounds,
+         rounds ? fmt::format("n_error is {}: multiples of {} keep it, the bits below would fill files", image.n_error,
+                              step)
+                : fmt::format("n_error is {}: halves are that fine by themselves", image.n_error),
+         0);
+  }
+
+  void round_mantissas_of(const char* channel, const char* key, double error) {
     if (error == 0) return;
     const int bits = mantissa_bits_for(error);
+    const std::string item = fmt::format("rounding of {}", channel);
     if (bits < float_mantissa_bits)
-      note("rounding of Z", true,
-           fmt::format("z_error is {}: {} of {} mantissa bits keep it, the others would fill files", error, bits,
+      note(item, true,
+           fmt::format("{} is {}: {} of {} mantissa bits keep it, the others would fill files", key, error, bits,
                        float_mantissa_bits),
            0);
     else
-      note("rounding of Z", false, fmt::format("z_error is {}: all {} mantissa bits are needed", error, bits), 0);
+      note(item, false, fmt::format("{} is {}: all {} mantissa bits are needed", key, error, bits), 0);
   }
 
   void samples() {

@@ -23,23 +23,32 @@ void check_background(const Background& background) {
         fail(fmt::format("a background of {}; its colours reach from 0 to {}", color[c], max_background));
 }
 
+// Of what EXR files may round: an error of a channel that is not there means something else than what it says.
+void check_errors(const ImageSettings& image) {
+  const auto has = [&image](double error, Channel channel, const char* name) {
+    if (error != 0 && !image.channels.contains(channel))
+      fail(fmt::format("{} is {} and there is no channel {}; ask for {}, or leave it 0", name, error, name_of(channel),
+                       name_of(channel)));
+    return error != 0;
+  };
+  if (has(image.z_error, Channel::depth, "z_error")) mantissa_bits_for(image.z_error);
+  if (has(image.p_error, Channel::position, "p_error")) mantissa_bits_for(image.p_error);
+  if (has(image.n_error, Channel::normal, "n_error")) step_for(image.n_error);
+}
+
 void check_image(const ImageSettings& image) {
   for (const int size : {image.width, image.height})
     if (size < 1 || size > max_image_size)
       fail(fmt::format("an image of {} x {} pixels; width and height reach from 1 to {}", image.width, image.height,
                        max_image_size));
-  if (image.channels.empty()) fail("no channel is asked for; choose RGBA, Z or both");
+  if (image.channels.empty()) fail("no channel is asked for; choose RGBA, Z or others");
   if (std::ranges::find(depth_formats, image.depth_format) == depth_formats.end())
     fail(fmt::format("there is no depth buffer {}", static_cast<int>(image.depth_format)));
   if (image.background) check_background(*image.background);
   if (std::ranges::find(sample_counts, image.samples) == sample_counts.end())
     fail(fmt::format("{} samples a pixel; 1, 2, 4, 8 or 16 are possible", image.samples));
-  if (image.z_error == 0) return;
-  if (!image.has_depth())
-    fail(fmt::format("z_error is {} and there is no channel Z; ask for Z, or leave it 0", image.z_error));
-  mantissa_bits_for(image.z_error);
+  check_errors(image);
 }
-
 constexpr int last_shading = static_cast<int>(Shading::wireframe);
 
 void check_object(const Scene& scene, std::size_t index) {

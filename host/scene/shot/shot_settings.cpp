@@ -16,10 +16,8 @@ namespace morphcl {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> compressions = {"none",  "rle", "zips", "zip",  "zip:small", "piz",
-                                                           "pxr24", "b44", "b44a", "dwaa", "dwab"};
-constexpr std::array<std::string_view, 2> drawn_channels = {"RGBA", "Z"};
-constexpr std::array<std::string_view, 5> later_channels = {"N", "P", "velocity", "object_id", "coverage"};
+constexpr std::array<std::string_view, 6> lossless_compressions = {"none", "rle", "zips", "zip", "zip:small", "piz"};
+constexpr std::array<std::string_view, 5> lossy_compressions = {"pxr24", "b44", "b44a", "dwaa", "dwab"};
 constexpr std::int64_t max_fps_part = 1'000'000;
 
 template <typename Names, typename Name>
@@ -52,15 +50,16 @@ void read_channels(const ShotValue& channels, ImageSettings& image) {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ShotValue channel = channels[i];
     const std::string& name = channel.text();
-    if (holds(later_channels, name))
-      channel.fail(fmt::format("channel \"{}\": not drawn by this version: RGBA and Z are", name));
-    if (!holds(drawn_channels, name))
-      channel.fail(fmt::format("unknown channel \"{}\"{}", name, suggestion(name, {"RGBA", "Z"})));
-    const Channel wanted = name == "Z" ? Channel::depth : Channel::color;
-    if (image.channels.contains(wanted)) channel.fail(fmt::format("channel \"{}\" is named twice", name));
-    image.channels.insert(wanted);
+    const std::optional<Channel> wanted = channel_named(name);
+    if (!wanted) {
+      std::vector<std::string_view> names;
+      for (const Channel known : every_channel) names.push_back(name_of(known));
+      channel.fail(fmt::format("unknown channel \"{}\"{}", name, suggestion(name, names)));
+    }
+    if (image.channels.contains(*wanted)) channel.fail(fmt::format("channel \"{}\" is named twice", name));
+    image.channels.insert(*wanted);
   }
-  if (channels.size() == 0) channels.fail("channels is empty; name RGBA, Z or both");
+  if (channels.size() == 0) channels.fail("channels is empty; name RGBA, Z or others");
 }
 
 int read_samples(const ShotValue& samples) {
@@ -71,10 +70,29 @@ int read_samples(const ShotValue& samples) {
 
 std::string read_compression(const ShotValue& compression) {
   const std::string& name = compression.text();
-  if (!holds(compressions, name))
-    compression.fail(fmt::format("unknown compression \"{}\"{}", name,
-                                 suggestion(name, {compressions.begin(), compressions.end()})));
+  if (!holds(lossless_compressions, name) && !holds(lossy_compressions, name)) {
+    std::vector<std::string_view> names(lossless_compressions.begin(), lossless_compressions.end());
+    names.insert(names.end(), lossy_compressions.begin(), lossy_compressions.end());
+    compression.fail(fmt::format("unknown compression \"{}\"{}", name, suggestion(name, names)));
+  }
   return name;
+}
+
+// Cryptomatte's ids must come back bit for bit.
+void refuse_lossy_ids(const ShotValue& compression, const ImageSettings& image) {
+  if (holds(lossless_compressions, image.compression)) return;
+  for (const Channel channel : image.channels& cryptomatte_channels)
+    compression.fail(
+        fmt::format("compression \"{}\" is lossy, and channel {} holds ids, which it would change; {} keep "
+                    "every bit",
+                    image.compression, name_of(channel), "none, rle, zips, zip, zip:small and piz"));
+}
+
+ChannelNames read_channel_names(const ShotValue& value) {
+  const std::string& name = value.text();
+  if (const auto names = channel_names_named(name)) return *names;
+  value.fail(fmt::format("unknown channel_names \"{}\"{}", name,
+                         suggestion(name, {channel_names_names.begin(), channel_names_names.end()})));
 }
 
 DepthFormat read_depth_format(const ShotValue& value) {
@@ -108,15 +126,17 @@ std::optional<Background> read_background(const ShotValue& value) {
   return Background{color, color};
 }
 
-// The relative error that float channel `channel` may be rounded within; `asked_for`: whether the image has it.
-double read_channel_error(const ShotValue& error, std::string_view channel, bool asked_for) {
+// What a channel may be rounded within.
+double read_channel_error(const ShotValue& error, Channel channel, const ImageSettings& image) {
   const double value = error.number_or_infinity();
-  if (!(value > 0 && value <= max_relative_error))
-    error.fail(fmt::format("{} is {}; a relative error above 0 and of at most {} is needed, such as 1e-6", error.name(),
-                           value, max_relative_error));
-  if (!asked_for)
+  const bool absolute = channel == Channel::normal;
+  const double max = absolute ? max_absolute_error : max_relative_error;
+  if (!(value > 0 && value <= max))
+    error.fail(fmt::format("{} is {}; {} error above 0 and of at most {} is needed, such as {}", error.name(), value,
+                           absolute ? "an absolute" : "a relative", max, absolute ? "1e-3" : "1e-6"));
+  if (!image.channels.contains(channel))
     error.fail(fmt::format("{} is of channel {}, which is not among the channels; add \"{}\" to them, or leave it out",
-                           error.name(), channel, channel));
+                           error.name(), name_of(channel), name_of(channel)));
   return value;
 }
 
@@ -153,8 +173,8 @@ TimeBase read_fps(const ShotValue& fps) {
 ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   ImageSettings settings;
   if (!image) return settings;
-  const ShotTable table =
-      image->table({"size", "channels", "samples", "compression", "depth_buffer", "background", "z_error"});
+  const ShotTable table = image->table({"size", "channels", "channel_names", "samples", "compression", "depth_buffer",
+                                        "background", "z_error", "p_error", "n_error"});
   if (const auto size = table.find("size")) {
     refuse_size_text(*size);
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
@@ -162,12 +182,19 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
     settings.height = pixels((*size)[1]);
   }
   if (const auto channels = table.find("channels")) read_channels(*channels, settings);
+  if (const auto names = table.find("channel_names")) settings.channel_names = read_channel_names(*names);
   if (const auto samples = table.find("samples")) settings.samples = read_samples(*samples);
-  if (const auto compression = table.find("compression")) settings.compression = read_compression(*compression);
+  if (const auto compression = table.find("compression")) {
+    settings.compression = read_compression(*compression);
+    refuse_lossy_ids(*compression, settings);
+  }
   if (const auto format = table.find("depth_buffer")) settings.depth_format = read_depth_format(*format);
   if (const auto background = table.find("background")) settings.background = read_background(*background);
-  if (const auto error = table.find("z_error"))
-    settings.z_error = read_channel_error(*error, "Z", settings.has_depth());
+  if (const auto error = table.find("z_error")) settings.z_error = read_channel_error(*error, Channel::depth, settings);
+  if (const auto error = table.find("p_error"))
+    settings.p_error = read_channel_error(*error, Channel::position, settings);
+  if (const auto error = table.find("n_error"))
+    settings.n_error = read_channel_error(*error, Channel::normal, settings);
   return settings;
 }
 
