@@ -89,10 +89,17 @@ class ChannelSet {
 
   constexpr bool contains(Channel channel) const { return (bits_ & bit(channel)) != 0; }
   constexpr bool empty() const { return bits_ == 0; }
-  constexpr int size() const { return std::popcount(bits_); }
+  constexpr int size() const {
+    int count = 0;  // not std::popcount, which calls GCC's library where the processor need not have it
+    for (Iterator i = begin(); i != end(); ++i) ++count;
+    return count;
+  }
   constexpr void insert(Channel channel) { bits_ |= bit(channel); }
   constexpr void erase(Channel channel) { bits_ &= ~bit(channel); }
-  constexpr void set(Channel channel, bool is_in) { is_in ? insert(channel) : erase(channel); }
+  constexpr void set(Channel channel, bool is_in) {
+    erase(channel);
+    if (is_in) insert(channel);
+  }
 
   constexpr ChannelSet operator|(ChannelSet other) const { return ChannelSet(bits_ | other.bits_); }   // union
   constexpr ChannelSet operator&(ChannelSet other) const { return ChannelSet(bits_ & other.bits_); }   // intersection
