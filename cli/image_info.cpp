@@ -14,6 +14,12 @@ std::string window_text(const ExrWindow& window) {
   return fmt::format("({}, {}) to ({}, {})", window.min.x, window.min.y, window.max.x, window.max.y);
 }
 
+// Manifests of Cryptomatte may be long; --json has all of them.
+std::string cut_value(const std::string& value) {
+  constexpr std::size_t shown = 400;
+  return value.size() <= shown ? value : fmt::format("{}... ({} bytes)", value.substr(0, shown), value.size());
+}
+
 void print_table(const ExrDescription& header, const ExrFrame& image) {
   std::vector<std::vector<std::string>> rows = {{"parts", std::to_string(header.parts)},
                                                 {"data window", window_text(header.data_window)},
@@ -22,8 +28,8 @@ void print_table(const ExrDescription& header, const ExrFrame& image) {
   for (const ExrChannel& channel : header.channels)
     rows.push_back({"channel", printable(channel.name + " " + channel.type)});
   for (const ExrAttribute& attribute : header.attributes)
-    rows.push_back(
-        {printable(attribute.name), printable(attribute.value.empty() ? "(" + attribute.type + ")" : attribute.value)});
+    rows.push_back({printable(attribute.name),
+                    printable(attribute.value.empty() ? "(" + attribute.type + ")" : cut_value(attribute.value))});
   rows.push_back({"hash of pixels", image.hash});
   for (const std::string& line : aligned(rows)) print_result(line);
 }

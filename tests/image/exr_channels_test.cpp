@@ -7,6 +7,7 @@
 
 #include "host/image/channel_planes.hpp"
 #include "host/image/exr_encode.hpp"
+#include "host/image/exr_relabel.hpp"
 #include "host/image/pixel_hash.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/image/test_frames.hpp"
@@ -165,6 +166,21 @@ TEST(ExrChannels, TypesAreThoseOfTheirPlanes) {
   EXPECT_EQ(type_of("crypto_material02.A"), "float");
   EXPECT_EQ(type_of("object_id"), "uint");
   EXPECT_EQ(type_of("material_id"), "uint");
+}
+
+TEST(ExrChannels, LabelsOfAnotherFrameLeaveThePixelsAlone) {
+  const FrameBuffer frame = disc_frame(90, 60, every_channel);
+  FrameAttributes first, second;
+  first.channel_names = second.channel_names = ChannelNames::blender;
+  first.manifests = second.manifests = std::make_shared<CryptomatteManifests>("{}", R"({"bunny":"13851a76"})");
+  second.frame = 123456;
+  for (const char* compression : {"zip", "piz"}) {
+    std::vector<char> source, direct, relabelled;
+    encode_exr(source, frame, first, compression, 1);
+    const std::string hash = encode_exr(direct, frame, second, compression, 1);
+    EXPECT_EQ(relabel_exr(relabelled, source, second), hash);
+    EXPECT_EQ(relabelled, direct) << compression;
+  }
 }
 
 TEST(ExrChannels, FinishedFramesAreKnownByThem) {
