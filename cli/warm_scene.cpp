@@ -30,16 +30,11 @@ Mesh small_mesh(Reach reach) {
   return mesh;
 }
 
-struct Channels {
-  bool color, depth;
-};
-
-Scene scene_with(const Projection& projection, Reach reach, Channels channels, const std::vector<Shading>& shadings) {
+Scene scene_with(const Projection& projection, Reach reach, ChannelSet channels, const std::vector<Shading>& shadings) {
   Scene scene;
   scene.name = "warm";
   scene.image.width = scene.image.height = side;
-  scene.image.channels.set(Channel::color, channels.color);
-  scene.image.channels.set(Channel::depth, channels.depth);
+  scene.image.channels = channels;
   scene.meshes = {small_mesh(reach)};
   scene.timeline.nodes = {Node{}};
   scene.timeline.camera.projection = projection;
@@ -63,9 +58,10 @@ Scene scene_with(const Projection& projection, Reach reach, Channels channels, c
 std::vector<Scene> warm_scenes() {
   const std::vector<Shading> all = {Shading::flat, Shading::smooth, Shading::unlit, Shading::wireframe};
   // Stages share launches in small frames, where nothing is clipped and where nothing is flat.
-  return {scene_with(Perspective{}, Reach::through_near_plane, {true, true}, all),
-          scene_with(Perspective{}, Reach::through_near_plane, {false, true}, {Shading::smooth}),
-          scene_with(Orthographic{}, Reach::in_view, {true, false}, all)};
+  return {scene_with(Perspective{}, Reach::through_near_plane, default_channels, all),
+          scene_with(Perspective{}, Reach::through_near_plane, {Channel::depth}, {Shading::smooth}),
+          scene_with(Orthographic{}, Reach::in_view, {Channel::color}, all),
+          scene_with(Orthographic{}, Reach::in_view, {Channel::normal, Channel::velocity}, all)};
 }
 
 }  // namespace morphcl::cli

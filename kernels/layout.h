@@ -98,6 +98,9 @@
 #define DRAW_PIVOT 64u           // vertices are computed relative to a pivot, which the matrices have taken in
 #define DRAW_TWO_FLOAT 128u      // vertices are computed in two floats
 #define DRAW_LIT_PER_PIXEL 256u  // of a flat draw: face_colors holds its faces' normals, which are lit per pixel
+// Channel N takes the vertices' normals, or those of the faces; of lines neither.
+#define DRAW_VERTEX_NORMALS 4096u
+#define DRAW_FACE_NORMALS 8192u
 
 // ---- buffers --------------------------------------------------------------------------------------------------------
 //
@@ -105,16 +108,18 @@
 // limit, though a device may allocate no more than a quarter of its memory at once:
 //
 //   frame          constants, lights, numbers of changed vertex chunks, precise constants, halves R, G, B, A of the
-//                  background for each row. At most 80 bytes a draw, 8 a row of the picture and 4 a chunk of 64 vertex
-//                  groups, while a draw has at least 256 bytes of vertices. (Lights are read for every pixel: time ends
-//                  them, not memory.)
+//                  background for each row; for other channels 48 bytes a draw, and for velocity the draws of the next
+//                  frame, 320 each. At most 448 bytes a draw, 8 a row of the picture and 4 a chunk of 64 vertex groups,
+//                  while a draw has at least 256 bytes of vertices, and for velocity 512 more. (Lights are read for
+//                  every pixel: time ends them, not memory.)
 //   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 240 a
 //                  draw, 4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at
 //                  least 256 a primitive group: one of them is the larger.
 //   clipped        source and weights: 104 bytes a primitive, whose corners take 128 of the vertices.
 //   bins           all of the bins but the fragments' keys and the large triangles. Lists of the tiles take 268 bytes a
 //                  tile and chunk, the rest a quarter of the keys. Where that is too much, there are fewer chunks: of
-//                  one chunk the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp).
+//                  one chunk the lists take a hundredth of the picture (host/render/frame/bin_pools.cpp). Tables of
+//                  ids take 64 MB at most (channel_layout.h).
 //   fragment_keys or sample_fragments, large, vertices, attributes, colors, face_colors, indices, mesh_data, targets:
 //   each on its own, since any of them can be the largest.
 
@@ -201,6 +206,7 @@ typedef struct {
   ulong entry_next;           // uint[chunk][page]
   ulong entry_triangles;      // uint[chunk][page][entry]: index of a large triangle, perhaps with ENTIRE_TILE
   ulong fragment_places;      // ushort[chunk][page][entry]: row << TILE_BITS | column in the tile
+  ulong ids;                  // TileIds and ids of each tile of a band
 } BinsOffsets;
 
 typedef struct {
@@ -232,7 +238,11 @@ typedef struct {
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
   uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
+  uint channels;    // the table of ChannelConstants
+  uint writes_ids;  // tiles leave tables of ids, for shade_channels
 } FrameConstants;
+
+#include "channel_layout.h"
 
 // How depth runs over a triangle a b c: kernels/reversed_depth.h and kernels/forward_depth.h.
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT

@@ -4,7 +4,8 @@
 //      numbers of the chunks that changed since the frame before.
 // Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w};
 //                    {OUTSIDE, outcode, 0, 0} where clipping is due
-//      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space
+//      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space; and
+//                    where channel N needs one of them
 //      colors[i]     float4: vertex colour after its deltas, clamped to [0, 1]
 //      vertex_chunk_status[chunk] not 0 when a vertex of the chunk needs clipping
 // Steps, 16 vertices at a time: 1 morph the position, 2 to clip space, 3 outcode, 4 snap, 5 attributes.
@@ -98,8 +99,10 @@ COMPILED_ONCE void project_chunk(uint item, global const FrameConstants* restric
     store_records(select(screen.x, (int16)OUTSIDE, outside), select(screen.y, code, outside), as_int16(screen.depth),
                   as_int16(screen.inverse_w), vertices + record);
 
-    if (draw->flags & DRAW_SMOOTH) store_normals(draw, targets, mesh_data, at, attributes + record);
-    if (draw->flags & DRAW_FLAT) store_records(as_int16(x), as_int16(y), as_int16(z), (int16)0, attributes + record);
+    if (draw->flags & (DRAW_SMOOTH | DRAW_VERTEX_NORMALS))
+      store_normals(draw, targets, mesh_data, at, attributes + record);
+    if (draw->flags & (DRAW_FLAT | DRAW_FACE_NORMALS))
+      store_records(as_int16(x), as_int16(y), as_int16(z), (int16)0, attributes + record);
     if (draw->flags & DRAW_VERTEX_COLORS)
       store_records(as_int16(morphed_color_plane(draw, targets, mesh_data, at, 0)),
                     as_int16(morphed_color_plane(draw, targets, mesh_data, at, 1)),

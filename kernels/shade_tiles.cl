@@ -20,6 +20,7 @@
 #include "shade.h"
 #include "tables.h"
 #include "tile.h"
+#include "tile_ids.h"
 #include "tile_pixels.h"
 #include "vector.h"
 
@@ -135,6 +136,10 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   const TilePixels pixels =
       pixels_of_tile(frame, picture + first_row * frame->row_bytes, number % (uint)frame->tiles_x);
   const uint left_as_it_is = mark_blank_blocks(blank, frame, pixels);
+  if (frame->writes_ids) {
+    store_ids(tile, blocks.content, left_as_it_is, large, ids_of_tile(number - tiles.first, bins, frame));
+    if (!(frame->writes_color | frame->writes_depth)) return;
+  }
 
   const Shader shader = shader_of(frame, draws, indices, vertices, attributes, colors, face_colors, clipped, bins);
   Column columns[TILE / TILE_BLOCK];

@@ -23,6 +23,23 @@ ALWAYS_INLINE global const ushort4* background_rows(global const FrameConstants*
   return (global const ushort4*)((global const uint*)frame + frame->background);
 }
 
+// Of channels beside colour and distance.
+ALWAYS_INLINE global const ChannelConstants* channel_constants(global const FrameConstants* frame) {
+  return (global const ChannelConstants*)((global const uint*)frame + frame->channels);
+}
+ALWAYS_INLINE global const ChannelDraw* channel_draws(global const FrameConstants* frame) {
+  return (global const ChannelDraw*)((global const uint*)frame + channel_constants(frame)->draws);
+}
+ALWAYS_INLINE global const DrawConstants* next_draws(global const FrameConstants* frame) {
+  return (global const DrawConstants*)((global const uint*)frame + channel_constants(frame)->next_draws);
+}
+ALWAYS_INLINE global const TargetConstants* next_targets(global const FrameConstants* frame) {
+  return (global const TargetConstants*)((global const uint*)frame + channel_constants(frame)->next_targets);
+}
+ALWAYS_INLINE global const PreciseConstants* next_precise(global const FrameConstants* frame) {
+  return (global const PreciseConstants*)((global const uint*)frame + channel_constants(frame)->next_precise);
+}
+
 // Index of the draw that a group of vertices or of primitives belongs to, and of the one that is binned at a place in
 // the order of binning.
 ALWAYS_INLINE global const uint* draw_of_vertex_group(global const DrawConstants* draws,
@@ -55,6 +72,12 @@ ALWAYS_INLINE global ChunkStatus* chunk_status(global BinsHeader* bins, global c
 }
 ALWAYS_INLINE global uint* vertex_chunk_status(global BinsHeader* bins, global const FrameConstants* frame) {
   return (global uint*)((global char*)bins + frame->bins.vertex_chunk_status);
+}
+
+// The ids of a tile, by its place in the band being drawn.
+ALWAYS_INLINE global TileIds* ids_of_tile(uint place, global BinsHeader* bins, global const FrameConstants* frame) {
+  const size_t bytes = sizeof(TileIds) + TILE * TILE * sizeof(uint) * channel_constants(frame)->samples;
+  return (global TileIds*)((global char*)bins + frame->bins.ids + place * bytes);
 }
 
 #if SAMPLES == 1

@@ -31,12 +31,13 @@ class PolygonCollector {
     keep(polygon);
   }
 
-  void line(ScreenVertex a, ScreenVertex b, std::uint32_t width, const PrimitiveIdentity& identity) {
+  void line(const reference::ScreenLine& line, const PrimitiveIdentity& identity) {
+    ScreenVertex a = line.from, b = line.to;
     const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
     if (steep ? b.y < a.y : b.x < a.x) std::swap(a, b);
     const int run = steep ? b.y - a.y : b.x - a.x, rise = steep ? b.x - a.x : b.y - a.y;
     if (run == 0) return;
-    const auto half = static_cast<int>(reference::half_thickness(run, rise, width));
+    const auto half = static_cast<int>(reference::half_thickness(run, rise, line.width));
     const auto beside = [steep](const ScreenVertex& v, int across) -> SubPixelPoint {
       return {steep ? v.x + across : v.x, steep ? v.y : v.y + across};
     };

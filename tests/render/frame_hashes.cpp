@@ -1,7 +1,8 @@
-// frame_hashes WIDTH HEIGHT [reference] [small] [samplesN] [FORMAT]: one line a frame of every test scene, "hash
-// SCENE/FRAME", drawn by a process of its own under the environment that a test gives it. FORMAT: the name of a depth
-// buffer; vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a device that is
-// interpreted. samplesN: N samples a pixel. An Error is printed and its exit code is the process's.
+// frame_hashes WIDTH HEIGHT [reference] [small] [samplesN] [channels] [FORMAT]: one line a frame of every test scene,
+// "hash SCENE/FRAME", drawn by a process of its own under the environment that a test gives it. FORMAT: the name of a
+// depth buffer; vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a device that
+// is interpreted. samplesN: N samples a pixel. channels: all that there are, of scenes that move. An Error is printed
+// and its exit code is the process's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "morphcl/planner.hpp"
 #include "morphcl/renderer.hpp"
 #include "morphcl/session.hpp"
+#include "tests/render/channel_scenes.hpp"
 #include "tests/render/test_scenes.hpp"
 
 int main(int count, char** values) {
@@ -23,6 +25,7 @@ int main(int count, char** values) {
     const std::vector<std::string> more(values + 3, values + count);
     const bool reference = std::find(more.begin(), more.end(), "reference") != more.end();
     const bool small = std::find(more.begin(), more.end(), "small") != more.end();
+    const bool with_all = std::find(more.begin(), more.end(), "channels") != more.end();
     int samples = 1;
     for (const int known : sample_counts)
       if (std::find(more.begin(), more.end(), fmt::format("samples{}", known)) != more.end()) samples = known;
@@ -30,14 +33,16 @@ int main(int count, char** values) {
     const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
     const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
     for (test::TestScene& scene : test::test_scenes(width, height, small ? 300 : 3000)) {
+      if (with_all) scene.scene = test::with_channels(scene.scene, every_channel);
       scene.scene.image.samples = samples;
       if (format) {
         scene.scene.image.depth_format = *format;
         scene.scene.accuracy_pixels = 1e-9;
       }
       for (const std::int64_t frame : scene.frames) {
-        FrameBuffer pixels(width, height, {Channel::color, Channel::depth});
-        renderer->render(plan_frame(scene.scene, frame), pixels);
+        const Plan plan = plan_frame(scene.scene, frame);
+        FrameBuffer pixels = plan.make_frame();
+        renderer->render(plan, pixels);
         fmt::print("{} {}/{}\n", pixel_hash(pixels), scene.name, frame);
       }
     }

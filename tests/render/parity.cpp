@@ -6,33 +6,52 @@
 
 namespace morphcl::test {
 
+namespace {
+
+// The bits of a pixel in a plane.
+std::uint32_t bits_at(const FrameBuffer& frame, Channel channel, int plane, int x, int y) {
+  switch (plane_type(channel)) {
+    case PixelType::half:
+      return frame.half_row(channel, plane, y)[static_cast<std::size_t>(x)];
+    case PixelType::float_:
+      return std::bit_cast<std::uint32_t>(frame.float_row(channel, plane, y)[static_cast<std::size_t>(x)]);
+    case PixelType::uint:
+      break;
+  }
+  return frame.uint_row(channel, plane, y)[static_cast<std::size_t>(x)];
+}
+
+std::string value_of(Channel channel, std::uint32_t bits) {
+  if (plane_type(channel) != PixelType::float_) return fmt::format("{:#x}", bits);
+  return fmt::format("{:.9g} ({:#010x})", std::bit_cast<float>(bits), bits);
+}
+
+}  // namespace
+
 ::testing::AssertionResult same_pixels(const FrameBuffer& expected, const FrameBuffer& actual) {
+  if (actual.channels() != expected.channels()) return ::testing::AssertionFailure() << "channels differ";
+  return same_pixels(expected, actual, expected.channels());
+}
+
+::testing::AssertionResult same_pixels(const FrameBuffer& expected, const FrameBuffer& actual, ChannelSet channels) {
   const int width = expected.width(), height = expected.height();
   if (actual.width() != width || actual.height() != height)
     return ::testing::AssertionFailure() << "sizes differ: " << actual.width() << "x" << actual.height();
   std::size_t different = 0;
   ::testing::AssertionResult failure = ::testing::AssertionFailure();
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      bool differs = false;
-      for (int c = 0; expected.has_color() && c < 4; ++c)
-        if (expected.color_row(c, y)[x] != actual.color_row(c, y)[x]) {
-          if (different == 0 && !differs)
-            failure << fmt::format("pixel ({}, {}) channel {}: expected half bits {:#06x}, got {:#06x}; ", x, y,
-                                   "RGBA"[c], expected.color_row(c, y)[x], actual.color_row(c, y)[x]);
-          differs = true;
+  for (const Channel channel : channels)
+    for (int plane = 0; plane < plane_count(channel); ++plane)
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const std::uint32_t wanted = bits_at(expected, channel, plane, x, y),
+                              found = bits_at(actual, channel, plane, x, y);
+          if (wanted == found) continue;
+          if (different++ == 0)
+            failure << fmt::format("pixel ({}, {}) channel {} plane {}: expected {}, got {}; ", x, y, name_of(channel),
+                                   plane, value_of(channel, wanted), value_of(channel, found));
         }
-      if (expected.has_depth() &&
-          std::bit_cast<unsigned>(expected.depth_row(y)[x]) != std::bit_cast<unsigned>(actual.depth_row(y)[x])) {
-        if (different == 0 && !differs)
-          failure << fmt::format("pixel ({}, {}) channel Z: expected {:.9g}, got {:.9g}; ", x, y,
-                                 expected.depth_row(y)[x], actual.depth_row(y)[x]);
-        differs = true;
-      }
-      different += differs;
-    }
   if (different == 0) return ::testing::AssertionSuccess();
-  return failure << different << " pixels differ";
+  return failure << different << " values differ";
 }
 
 std::size_t covered_pixels(const FrameBuffer& frame) {

@@ -247,8 +247,8 @@ TEST(PlanReport, NamesEveryChannelWithItsBytes) {
   EXPECT_FALSE(find_note(others, "Z")->done);
   EXPECT_EQ(find_note(others, "other channels"), nullptr);
   EXPECT_TRUE(find_note(others, "N")->done);
-  EXPECT_EQ(find_note(others, "N")->reason, "asked for: 6 bytes a pixel");
-  EXPECT_EQ(find_note(others, "crypto_object")->reason, "asked for: 48 bytes a pixel");
+  EXPECT_TRUE(find_note(others, "N")->reason.starts_with("asked for: 6 bytes a pixel; of vertices on "));
+  EXPECT_EQ(find_note(others, "crypto_object")->reason, "asked for: 48 bytes a pixel; of the pixel's centre alone");
   EXPECT_GT(others.memory.pixels, 10 * two.memory.pixels);
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "host/device/cache_dir.hpp"
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
@@ -48,6 +49,8 @@ constexpr KernelCost kernel_costs[] = {
     {"light_and_bin_samples", 0.5, 0.45},
     {"bin_samples", 0.45, 0.4},
     {"shade_samples", 1.5, 1.2},
+    {"shade_channels", 1.2, 1.0},
+    {"project_next", 0.35, 0.3},
 };
 constexpr KernelCost unknown_kernel = {"", 0.5, 0.4};
 
@@ -70,6 +73,7 @@ struct KernelVariant {
   DepthFormat depth_format;
   int samples;
   bool depth;
+  bool channels, velocity;  // beside colour and distance
 };
 
 FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const KernelVariant& variant) {
@@ -80,6 +84,8 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const Kerne
   plan.depth_format = variant.depth_format;
   plan.samples = variant.samples;
   plan.channels.set(Channel::depth, variant.depth);
+  plan.channels.set(Channel::coverage, variant.channels);
+  plan.channels.set(Channel::velocity, variant.velocity);
   plan.keeps_vertices = plan.keeps_blank_tiles = false;
   plan.camera.near = plan.camera.near_depth = plan.camera.near_w = 1;
   Draw draw{};
@@ -87,11 +93,12 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const Kerne
   draw.shading = shading;
   draw.object_to_clip[3] = {0, 0, 0, 1};
   plan.draws.push_back(draw);
+  if (variant.velocity) plan.next_draws = plan.draws;
   return plan;
 }
 
 KernelVariant variant_of(const FrameKernels& kernels) {
-  KernelVariant variant{DepthFormat::reversed_float, 1, false};
+  KernelVariant variant{DepthFormat::reversed_float, 1, false, false, false};
   for (const FrameKernel& kernel : kernels)
     for (const DepthFormat format : depth_formats)
       for (const int samples : sample_counts) {
@@ -99,6 +106,10 @@ KernelVariant variant_of(const FrameKernels& kernels) {
         variant.depth_format = format;
         variant.samples = std::max(variant.samples, samples);
       }
+  for (const FrameKernel& kernel : kernels) {
+    variant.channels |= kernel.name == "shade_channels";
+    variant.velocity |= kernel.name == "project_next";
+  }
   variant.depth = variant.samples == 1 || std::any_of(kernels.begin(), kernels.end(), [](const FrameKernel& kernel) {
                     return kernel.name == "shade_tiles" || kernel.name == "bin_primitives";
                   });
@@ -121,7 +132,7 @@ FrameKernels frame_kernels(const FramePlan& plan) {
                     : faces ? "light_and_bin_samples"
                             : "bin_samples",
                     sampled});
-    if (plan.has_depth()) kernels.insert({"bin_primitives", "bin_primitives", options});
+    if (draws_centres(plan)) kernels.insert({"bin_primitives", "bin_primitives", options});
   } else {
     kernels.insert({"bin_primitives",
                     fused   ? "project_light_and_bin"
@@ -129,7 +140,10 @@ FrameKernels frame_kernels(const FramePlan& plan) {
                             : "bin_primitives",
                     options});
   }
-  if (!several || plan.has_depth()) kernels.insert({"shade_tiles", "shade_tiles", options});
+  if (!several || draws_centres(plan)) kernels.insert({"shade_tiles", "shade_tiles", options});
+  if (!(plan.channels & (channels_of_samples | channels_of_centres)).empty())
+    kernels.insert({"shade_channels", "shade_channels", options});
+  if (plan.has(Channel::velocity)) kernels.insert({"project_next", "project_next", options});
   if (!fused) kernels.insert({"project_vertices", "project_vertices", options});
   if (plan.clips) {
     kernels.insert({"clip_primitives", "count_clipped", options});

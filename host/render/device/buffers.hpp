@@ -19,6 +19,8 @@ using Attributes = Argument<layout::Int4, "attributes", "int4">;
 using Colors = Argument<layout::Int4, "colors", "int4">;
 using FaceColors = Argument<layout::Int4, "face_colors", "int4">;
 
+using Motion = Argument<layout::Int4, "motion", "int4">;
+
 using Clipped = Argument<layout::ClippedPrimitive, "clipped", "ClippedPrimitive">;
 using FragmentKeys = Argument<layout::ulong, "fragment_keys", "ulong">;
 using SampleFragments = Argument<layout::SampleFragment, "sample_fragments", "SampleFragment">;

@@ -25,7 +25,8 @@ class DevicePictures {
   // No band gets more than `max_band` bytes, where one row of tiles fits that; see make_device_renderer().
   DevicePictures(cl::Context context, std::size_t max_band);
 
-  DevicePicture picture(FrameBuffer& frame);
+  // Nor more rows of tiles than `max_tile_rows`, which is at least 1.
+  DevicePicture picture(FrameBuffer& frame, std::size_t max_tile_rows);
 
   // Waits for the queue and brings the frame to host memory on devices that keep their own copy; on a CPU that costs
   // next to nothing. What it gives back to the device is still queued then; it was only read, so nothing is copied.

@@ -17,6 +17,7 @@
 #include "host/render/device/frame_memory.hpp"
 #include "host/render/device/table_buffer.hpp"
 #include "host/render/frame/bin_pools.hpp"
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "morphcl/error.hpp"
 
@@ -54,39 +55,45 @@ class DeviceRenderer : public Renderer {
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     depth_format_ = plan.depth_format;
     if (plan.samples > 1) check_stack_limit(tile_bytes_of_sample * static_cast<std::size_t>(plan.samples));
-    const DevicePicture picture = pictures_.picture(frame);
+    const DevicePicture picture = pictures_.picture(frame, max_tile_rows(plan));
     FinishAtExit finish_before_tables_go(queue());
     memory_.start(plan, picture);
     layout::FrameConstants constants = memory_.tables().frame;
     constants.keeps_blank_tiles &= picture.memory.notes_hold ? 1u : 0u;
     constants.first_clip_vertex = constants.vertex_group_count * layout::lanes;
+    const ChannelSet of_centres = plan.channels & channels_of_centres, of_samples = plan.channels & channels_of_samples;
     if (plan.samples == 1) {
-      draw_pass(1, constants, picture, pools_, true);
+      draw_pass(1, of_centres | of_samples, constants, picture, pools_, true);
     } else {
-      // Distances are those of the pixels' centres: as of one sample a pixel, without colours.
+      // Distances and what else is that of the pixels' centres: as of one sample a pixel, without colours.
       layout::FrameConstants colors = constants, distances = constants;
       colors.writes_depth = distances.writes_color = 0;
-      colors.first_of_two = distances.second_of_two = plan.has_depth();
+      colors.first_of_two = distances.second_of_two = draws_centres(plan);
       ForgetNotes notes(frame);  // until both have drawn
-      draw_pass(plan.samples, colors, picture, sample_pools_, true);
-      if (plan.has_depth()) draw_pass(1, distances, picture, pools_, false);
+      draw_pass(plan.samples, of_samples, colors, picture, sample_pools_, true);
+      if (draws_centres(plan)) draw_pass(1, of_centres, distances, picture, pools_, false);
       notes.hold();
     }
     finish_before_tables_go.not_needed();
     memory_.drawn();
   }
 
-  // Draws until the bins have had room for all. The vertices of an earlier pass of the frame stay.
-  void draw_pass(int samples, layout::FrameConstants& constants, const DevicePicture& picture, BinPools& pools,
-                 bool first_pass) {
+  // Draws until the bins have had room for all. The vertices of an earlier pass of the frame stay. `channels`: beside
+  // colour and distance.
+  void draw_pass(int samples, ChannelSet channels, layout::FrameConstants& constants, const DevicePicture& picture,
+                 BinPools& pools, bool first_pass) {
     samples_ = samples;
+    channels_ = channels;
+    constants.writes_ids = !channels.empty();
+    const std::size_t id_bytes =
+        channels.empty() ? 0 : std::size_t{picture.bands.front().tiles} * ids_bytes_of_tile(samples);
     for (bool drawn = false, first = first_pass; !drawn; first = false) {
-      const bool stays = make_room(pools, constants);
+      const bool stays = make_room(pools, constants, id_bytes);
       const FrameMemory::Changes changes = first || !stays ? memory_.changes() : FrameMemory::Changes{};
       memory_.forget(FrameMemory::Lost::vertices);  // until the frame is drawn
       upload_frame(constants, changes.vertex_chunks);
       prepare(constants, changes);
-      shade(picture);
+      shade(constants, picture);
       drawn = finish(constants, picture, pools);
     }
   }
@@ -151,17 +158,18 @@ class DeviceRenderer : public Renderer {
   };
 
   // False when vertices and what belongs to them had to move, and are lost.
-  bool make_room(BinPools& pools, layout::FrameConstants& constants) {
-    const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools, constants);
+  bool make_room(BinPools& pools, layout::FrameConstants& constants, std::size_t id_bytes) {
+    const BinSizes sizes = lay_out_bins(session_->info().max_allocation, pools, constants, id_bytes);
     const FrameTables& tables = memory_.tables();
     const std::size_t records = constants.first_clip_vertex;
     const std::size_t faces = std::size_t{constants.primitive_group_count} * layout::lanes;
     bool stays = true;
     const auto ensure_kept = [&](auto& buffer, std::size_t elements) { stays &= !buffer.ensure(elements); };
     ensure_kept(vertices_, records + std::size_t{constants.clip_capacity} * layout::clip_vertices);
-    ensure_kept(attributes_, tables.any_smooth || tables.any_flat ? records : 1);
+    ensure_kept(attributes_, tables.any_attributes ? records : 1);
     ensure_kept(colors_, tables.any_colors ? records : 1);
     ensure_kept(face_colors_, tables.any_flat ? faces : 1);
+    motion_.ensure(channels_.contains(Channel::velocity) ? 2 * records : 1);
     clipped_.ensure_bytes(sizes.clipped);
     if (samples_ == 1)
       fragment_keys_.ensure_bytes(sizes.fragment_keys);
@@ -179,25 +187,59 @@ class DeviceRenderer : public Renderer {
     return stays;
   }
 
-  enum FrameTable { frame_constants, light_constants, changed_vertex_chunks, precise_constants, background_rows };
+  enum FrameTable {
+    frame_constants,
+    light_constants,
+    changed_vertex_chunks,
+    precise_constants,
+    background_rows,
+    channel_constants,
+    channel_draws,
+    next_draws,
+    next_targets,
+    next_precise,
+    frame_tables
+  };
 
   void upload_frame(layout::FrameConstants& constants, const std::vector<uint>& changed_chunks) {
     const FrameTables& tables = memory_.tables();
     const std::vector<BackgroundRow> none;
     const std::vector<BackgroundRow>& background = tables.background ? *tables.background : none;
+    const ChannelTables& channels = tables.channels;
     frame_.make_room({sizeof constants, tables.lights.size() * sizeof(layout::LightConstants),
                       changed_chunks.size() * sizeof(uint), tables.precise.size() * sizeof(layout::PreciseConstants),
-                      background.size() * sizeof(BackgroundRow)});
+                      background.size() * sizeof(BackgroundRow), sizeof channels.constants,
+                      channels.draws.size() * sizeof(layout::ChannelDraw),
+                      channels.next_draws.size() * sizeof(layout::DrawConstants),
+                      channels.next_targets.size() * sizeof(layout::TargetConstants),
+                      channels.next_precise.size() * sizeof(layout::PreciseConstants)});
     memory_.set_offsets(constants);
     constants.lights = frame_.offset(light_constants);
     constants.changed_vertex_chunks = frame_.offset(changed_vertex_chunks);
     constants.precise = frame_.offset(precise_constants);
     constants.background = frame_.offset(background_rows);
+    constants.channels = frame_.offset(channel_constants);
     frame_.update(queue(), frame_constants, &constants, 1);
     frame_.update(queue(), light_constants, tables.lights);
     frame_.update(queue(), changed_vertex_chunks, changed_chunks);
     frame_.update(queue(), precise_constants, tables.precise);
     frame_.update(queue(), background_rows, background);
+    if (!channels_.empty()) upload_channels(channels);
+  }
+
+  void upload_channels(const ChannelTables& channels) {
+    layout::ChannelConstants constants = channels.constants;
+    constants.channels = channels_.bits();
+    constants.samples = static_cast<uint>(samples_);
+    constants.draws = frame_.offset(channel_draws);
+    constants.next_draws = frame_.offset(next_draws);
+    constants.next_targets = frame_.offset(next_targets);
+    constants.next_precise = frame_.offset(next_precise);
+    frame_.update(queue(), channel_constants, &constants, 1);
+    frame_.update(queue(), channel_draws, channels.draws);
+    frame_.update(queue(), next_draws, channels.next_draws);
+    frame_.update(queue(), next_targets, channels.next_targets);
+    frame_.update(queue(), next_precise, channels.next_precise);
   }
 
   // From the vertices to the bins, in as few launches as their order allows: each takes longer than a small frame.
@@ -241,9 +283,14 @@ class DeviceRenderer : public Renderer {
                      });
   }
 
-  // From the bins to the pixels.
-  void shade(const DevicePicture& picture) {
-    for (const DevicePicture::Band& band : picture.bands)
+  // From the bins to the pixels. Channels beside colour and distance follow band by band, from tables of ids that each
+  // band has for itself.
+  void shade(const layout::FrameConstants& constants, const DevicePicture& picture) {
+    if (channels_.contains(Channel::velocity))
+      launch(queue(), kernel({"project_next", "project_next"}, 1), cl::NDRange(vertex_chunk_count(constants)),
+             cl::NDRange(1), frame_.buffer(), memory_.draws().buffer(), memory_.targets().buffer(),
+             memory_.meshes().mesh_data(), motion_);
+    for (const DevicePicture::Band& band : picture.bands) {
       with_fragments({"shade_tiles", "shade_tiles"}, {"shade_samples", "shade_samples"},
                      [&](const Kernel& pixels, const auto& fragments) {
                        launch(queue(), pixels, FirstItem{band.first_tile}, cl::NDRange(band.tiles), cl::NDRange(1),
@@ -251,6 +298,12 @@ class DeviceRenderer : public Renderer {
                               attributes_, colors_, face_colors_, clipped_, fragments, bins_, large_,
                               BufferAs<buffers::Picture>(band.rows));
                      });
+      if (!channels_.empty())
+        launch(queue(), kernel({"shade_channels", "shade_channels"}, 1), FirstItem{band.first_tile},
+               cl::NDRange(band.tiles), cl::NDRange(1), frame_.buffer(), memory_.draws().buffer(),
+               memory_.meshes().indices(), memory_.meshes().mesh_data(), vertices_, attributes_, colors_, motion_,
+               clipped_, bins_, BufferAs<buffers::Picture>(band.rows));
+    }
   }
 
   // Waits for the pixels. False when some pool was too small for this frame: they have grown, and the frame is to be
@@ -281,13 +334,15 @@ class DeviceRenderer : public Renderer {
   BinPools pools_, sample_pools_;                           // of one sample a pixel, of several
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   int samples_ = 1;                                         // of its pass being drawn
+  ChannelSet channels_;                                     // that it makes beside colour and distance
   std::map<std::tuple<DepthFormat, int, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
-  TableBuffer<buffers::Frame, 5> frame_{context_of(*session_)};
+  TableBuffer<buffers::Frame, frame_tables> frame_{context_of(*session_)};
   DeviceBuffer<buffers::Vertices> vertices_{context_of(*session_)};
   DeviceBuffer<buffers::Attributes> attributes_{context_of(*session_)};
   DeviceBuffer<buffers::Colors> colors_{context_of(*session_)};
   DeviceBuffer<buffers::FaceColors> face_colors_{context_of(*session_)};
+  DeviceBuffer<buffers::Motion> motion_{context_of(*session_)};
   DeviceBuffer<buffers::Clipped> clipped_{context_of(*session_)};
   DeviceBuffer<buffers::FragmentKeys> fragment_keys_{context_of(*session_)};
   DeviceBuffer<buffers::SampleFragments> sample_fragments_{context_of(*session_)};

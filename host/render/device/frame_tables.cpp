@@ -37,6 +37,8 @@ uint draw_flags(const Draw& draw) {
   if (draw.mirrored) flags |= DRAW_MIRRORED;
   if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
   if (draw.lit_per_pixel) flags |= DRAW_LIT_PER_PIXEL;
+  if (draw.normals == NormalSource::vertices) flags |= DRAW_VERTEX_NORMALS;
+  if (draw.normals == NormalSource::faces) flags |= DRAW_FACE_NORMALS;
   if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
   if (form_of(draw) == VertexForm::two_float) flags |= DRAW_TWO_FLOAT;
   return flags;
@@ -160,7 +162,7 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
   tables.targets.clear();
   tables.precise.clear();
   tables.displaced.clear();
-  tables.any_flat = tables.any_smooth = tables.any_colors = false;
+  tables.any_flat = tables.any_smooth = tables.any_colors = tables.any_attributes = false;
   tables.only_faces = true;
   std::vector<std::pair<float, uint>> distances;
   distances.reserve(plan.draws.size());
@@ -180,8 +182,10 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
     tables.any_flat |= draw.shading == Shading::flat;
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
+    tables.any_attributes |= draw.normals != NormalSource::none;
     tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors && !draw.lit_per_pixel;
   }
+  tables.any_attributes |= tables.any_flat || tables.any_smooth;
   order_by_distance(distances, tables.draws);
 }
 
@@ -219,6 +223,7 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const Dev
     make_draws(plan, meshes, tables);
     tables.origin = origin;
   }
+  make_channel_tables(plan, tables.draws, meshes, picture.memory, tables.channels);
   tables.background = plan.background;
   tables.lights.clear();
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/render/device/channel_tables.hpp"
 #include "host/render/device/device_picture.hpp"
 #include "host/render/device/mesh_store.hpp"
 #include "host/render/frame/frame_plan.hpp"
@@ -30,8 +31,10 @@ struct FrameTables {
   using PositionsHash = std::array<std::uint64_t, 2>;
   std::vector<PositionsHash> displaced;  // of each draw; 0 where the positions are its mesh's
   layout::FrameConstants frame{};        // without what depends on pools, chunks and where tables are
+  ChannelTables channels;
   bool any_flat = false, any_smooth = false, any_colors = false;
-  bool only_faces = true;  // every draw is flat, lit at its centre, and without vertex colours
+  bool any_attributes = false;  // of vertices, for light or channel N
+  bool only_faces = true;       // every draw is flat, lit at its centre, and without vertex colours
 };
 
 // Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must

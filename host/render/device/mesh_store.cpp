@@ -80,7 +80,7 @@ glm::vec3 middle_of(const Mesh& mesh) {
   return 0.5f * low + 0.5f * high;
 }
 
-StoredMesh place(const Mesh& mesh, Allocation& data) {
+StoredMesh place(const Mesh& mesh, bool with_uvs, Allocation& data) {
   StoredMesh placed;
   placed.middle = middle_of(mesh);
   const std::size_t pitch = padded(mesh.positions.size());
@@ -89,6 +89,7 @@ StoredMesh place(const Mesh& mesh, Allocation& data) {
   placed.positions = data.take(3 * pitch);
   if (!mesh.normals.empty()) placed.normals = data.take(3 * pitch);
   if (!mesh.colors.empty()) placed.colors = data.take(4 * pitch);
+  if (with_uvs && !mesh.uvs.empty()) placed.uvs = data.take(2 * pitch);
   for (const MorphTarget& target : mesh.targets) {
     StoredMesh::Target& stored = placed.targets.emplace_back();
     if (!target.positions.empty()) stored.positions = data.take(3 * pitch);
@@ -102,6 +103,7 @@ void write(const Mesh& mesh, const StoredMesh& placed, float* data) {
   write_planes(mesh.positions, placed.pitch, data + placed.positions);
   if (placed.normals != layout::no_id) write_planes(mesh.normals, placed.pitch, data + placed.normals);
   if (placed.colors != layout::no_id) write_planes(mesh.colors, placed.pitch, data + placed.colors);
+  if (placed.uvs != layout::no_id) write_planes(mesh.uvs, placed.pitch, data + placed.uvs);
   for (std::size_t i = 0; i < mesh.targets.size(); ++i) {
     const StoredMesh::Target& target = placed.targets[i];
     if (target.positions != layout::no_id)
@@ -124,11 +126,13 @@ bool MeshStore::require(const FramePlan& plan) {
     displaced_.clear();
     planner_ = plan.planner;
   }
-  bool changed = false;
+  bool changed = wants_uvs_ != plan.has(Channel::uv);
+  wants_uvs_ = plan.has(Channel::uv);
+  changed |= add_displaced(plan.draws, Frame::this_one);
+  changed |= add_displaced(plan.next_draws, Frame::next);
   const Mesh* last = nullptr;
   bool last_lines = false;
   for (const Draw& draw : plan.draws) {
-    if (draw.displaced) changed |= displaced_.emplace(draw.object, Displaced{draw.mesh}).second;
     const bool lines = draw.shading == Shading::wireframe;
     if (draw.mesh == last && lines == last_lines) continue;  // many objects of one mesh follow each other
     last = draw.mesh;
@@ -143,24 +147,34 @@ bool MeshStore::require(const FramePlan& plan) {
     upload();
     planner_ = plan.planner;
   }
-  for (const Draw& draw : plan.draws)
-    if (draw.displaced) upload_displaced(draw);
+  upload_displaced(plan.draws, Frame::this_one);
+  upload_displaced(plan.next_draws, Frame::next);
   return changed;
 }
 
-void MeshStore::upload_displaced(const Draw& draw) {
-  Displaced& there = displaced_.at(draw.object);
-  if (there.uploaded && there.hash == draw.displaced->hash) return;
-  const std::size_t pitch = stored_.at(draw.mesh).pitch;
-  planes_.resize(3 * pitch);
-  write_planes(draw.displaced->positions, pitch, planes_.data());
-  there.uploaded = false;
-  checked("uploading displaced positions", [&] {
-    queue_of(*session_).enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
-                                           planes_.size() * sizeof(float), planes_.data());
-  });
-  there.uploaded = true;
-  there.hash = draw.displaced->hash;
+bool MeshStore::add_displaced(const std::vector<Draw>& draws, Frame frame) {
+  bool added = false;
+  for (const Draw& draw : draws)
+    if (draw.displaced) added |= displaced_.emplace(std::pair{draw.object, frame}, Displaced{draw.mesh}).second;
+  return added;
+}
+
+void MeshStore::upload_displaced(const std::vector<Draw>& draws, Frame frame) {
+  for (const Draw& draw : draws) {
+    if (!draw.displaced) continue;
+    Displaced& there = displaced_.at({draw.object, frame});
+    if (there.uploaded && there.hash == draw.displaced->hash) continue;
+    const std::size_t pitch = stored_.at(draw.mesh).pitch;
+    planes_.resize(3 * pitch);
+    write_planes(draw.displaced->positions, pitch, planes_.data());
+    there.uploaded = false;
+    checked("uploading displaced positions", [&] {
+      queue_of(*session_).enqueueWriteBuffer(data_.buffer(), CL_TRUE, std::size_t{there.positions} * sizeof(float),
+                                             planes_.size() * sizeof(float), planes_.data());
+    });
+    there.uploaded = true;
+    there.hash = draw.displaced->hash;
+  }
 }
 
 void MeshStore::upload() {
@@ -168,7 +182,7 @@ void MeshStore::upload() {
   Allocation data, indices;
   std::unordered_map<const Mesh*, std::vector<glm::uvec2>> edges;
   for (const Mesh* mesh : order_) {
-    StoredMesh placed = place(*mesh, data);
+    StoredMesh placed = place(*mesh, wants_uvs_, data);
     placed.triangles = place_primitives(mesh->triangles.size(), indices);
     if (wants_edges_.at(mesh)) {
       edges[mesh] = wireframe_edges(*mesh);
@@ -176,7 +190,7 @@ void MeshStore::upload() {
     }
     stored_[mesh] = std::move(placed);
   }
-  for (auto& [object, there] : displaced_) {
+  for (auto& [of_object, there] : displaced_) {
     there.positions = data.take(3 * std::size_t{stored_.at(there.mesh).pitch});
     there.uploaded = false;
   }

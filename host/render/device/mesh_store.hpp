@@ -3,7 +3,9 @@
 // another planner comes: only plans of one planner promise that a mesh at the same address is the same mesh.
 #pragma once
 
+#include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "host/render/device/buffers.hpp"
@@ -18,7 +20,7 @@ struct StoredMesh {
   glm::vec3 middle{0.0f};  // of the base's bounding box
   layout::uint vertex_groups = 0;
   layout::uint pitch = 0;  // floats from one plane to the next
-  layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id;
+  layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id, uvs = layout::no_id;
   struct Target {
     layout::uint positions = layout::no_id, normals = layout::no_id, colors = layout::no_id;
   };
@@ -42,13 +44,18 @@ class MeshStore {
 
   const StoredMesh& stored(const Mesh& mesh) const { return stored_.at(&mesh); }
   // Where the plan's displaced positions of an object are, as floats in the mesh data.
-  layout::uint displaced(std::uint32_t object) const { return displaced_.at(object).positions; }
+  layout::uint displaced(std::uint32_t object) const { return displaced_.at({object, Frame::this_one}).positions; }
+  // The same of the next frame, where the plan has them.
+  layout::uint next_displaced(std::uint32_t object) const { return displaced_.at({object, Frame::next}).positions; }
   const DeviceBuffer<buffers::MeshData>& mesh_data() const { return data_; }
   const DeviceBuffer<buffers::Indices>& indices() const { return indices_; }
 
  private:
+  enum class Frame { this_one, next };
+
   void upload();
-  void upload_displaced(const Draw& draw);
+  bool add_displaced(const std::vector<Draw>& draws, Frame frame);
+  void upload_displaced(const std::vector<Draw>& draws, Frame frame);
 
   std::shared_ptr<Session> session_;
   std::uint64_t planner_ = 0;
@@ -61,8 +68,9 @@ class MeshStore {
     std::array<std::uint64_t, 2> hash{};  // of what is there
     bool uploaded = false;
   };
-  std::unordered_map<std::uint32_t, Displaced> displaced_;  // by object
-  std::vector<float> planes_;                               // room for an object's positions
+  std::map<std::pair<std::uint32_t, Frame>, Displaced> displaced_;  // by object
+  std::vector<float> planes_;                                       // room for an object's positions
+  bool wants_uvs_ = false;
   DeviceBuffer<buffers::MeshData> data_;
   DeviceBuffer<buffers::Indices> indices_;
 };

@@ -3,7 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/render/frame/channel_passes.hpp"
+
 namespace morphcl {
+
+namespace {
+
+bool is_of_places(Channel channel) {
+  constexpr ChannelSet of_places{Channel::normal, Channel::position, Channel::velocity, Channel::uv};
+  return of_places.contains(channel);
+}
+
+}  // namespace
 
 FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const SkippedWork& skipped,
                           const CostModel& model) {
@@ -47,11 +58,27 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
   costs.samples = plan.samples > 1 ? of_samples * plan.samples : 0;
   costs.centres = ms * (model.triangle * work.triangles + model.span * spans + model.covered_pixel * covered);
   costs.skipped = ms * (model.vertex * skipped.vertices + model.triangle * skipped.triangles);
-  costs.everything = ms * model.frame + costs.depth_format + costs.precise_vertices +
+  for (std::size_t i = 0; i < channel_count; ++i) {
+    const auto channel = static_cast<Channel>(i);
+    const double planes = plane_count(channel);
+    double made = channels_of_samples.contains(channel)
+                      ? model.share_sample * spans * plan.samples
+                      : planes * (model.plane_pixel * covered + model.plane_span * spans);
+    if (is_of_places(channel)) made += model.place_pixel * covered + model.place_span * spans;
+    costs.channels[i] = ms * (model.byte * static_cast<double>(pixel_bytes(channel)) * written + made);
+  }
+  const ChannelSet of_ids = plan.channels & (channels_of_centres | channels_of_samples);
+  const double id_samples = ((of_ids & channels_of_centres).empty() || plan.samples == 1 ? 0 : 1) + plan.samples;
+  costs.ids = of_ids.empty() ? 0 : ms * model.id_sample * covered * id_samples;
+  costs.next_vertices = ms * model.next_vertex * work.vertices;
+  double of_channels = costs.ids + (plan.has(Channel::velocity) ? costs.next_vertices : 0);
+  for (const Channel channel : of_ids) of_channels += costs.channels[static_cast<std::size_t>(channel)];
+
+  costs.everything = of_channels + ms * model.frame + costs.depth_format + costs.precise_vertices +
                      (plan.has_color() ? costs.color : 0) + (plan.has_depth() ? costs.depth : 0) + costs.draws +
                      costs.targets + costs.elastic + costs.normals + costs.colors + costs.face_light + costs.lights +
                      costs.lines + (plan.clips ? costs.clipping : 0) + costs.samples +
-                     (plan.samples > 1 && plan.has_depth() ? costs.centres : 0) + (plan.divides ? costs.divide : 0) +
+                     (plan.samples > 1 && draws_centres(plan) ? costs.centres : 0) + (plan.divides ? costs.divide : 0) +
                      (plan.tests_depth ? costs.depth_test : 0);
   return costs;
 }

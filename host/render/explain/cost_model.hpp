@@ -1,6 +1,8 @@
 // What the parts of a frame cost, estimated from how much work they are.
 #pragma once
 
+#include <array>
+
 #include "host/render/explain/workload.hpp"
 
 namespace morphcl {
@@ -29,6 +31,11 @@ struct CostModel {
   double tinted_pixel = 0.30;                       // vertex colours: a pixel
   double byte = 0.02;                               // of a pixel written
   double sample_span = 2.0, sample_triangle = 0.5;  // the same as span and triangle, for a sample of several
+  // Channels beside colour and distance: tables of ids, a pixel or sample that something covers; a place in a
+  // primitive, a covered pixel and a span; what is summed up there, a plane of a covered pixel and of a span; a sample
+  // of an id's channel where a pixel may show several; a vertex of this frame and the next.
+  double id_sample = 0.1, place_pixel = 0.6, place_span = 12.0, plane_pixel = 0.15, plane_span = 3.0;
+  double share_sample = 1.5, next_vertex = 4.0;
 };
 
 // Milliseconds of this frame.
@@ -39,11 +46,13 @@ struct FrameCosts {
   double elastic;
   double lights, normals, face_light, colors, lines;
   double clipping, divide, depth_test, depth_format, precise_vertices;
-  double vertices;      // everything that a frame with the same vertices need not do again
-  double samples;       // what several samples a pixel take more than one
-  double centres;       // beside them: to find what is at the pixels' centres
-  double blank_pixels;  // written where nothing is
-  double everything;    // the frame, with what is done in it
+  double vertices;                             // everything that a frame with the same vertices need not do again
+  double samples;                              // what several samples a pixel take more than one
+  double centres;                              // beside them: to find what is at the pixels' centres
+  std::array<double, channel_count> channels;  // each beside colour and distance
+  double ids, next_vertices;                   // what they need beside
+  double blank_pixels;                         // written where nothing is
+  double everything;                           // the frame, with what is done in it
 };
 
 FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const SkippedWork& skipped,

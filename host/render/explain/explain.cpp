@@ -3,9 +3,11 @@
 #include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
 #include "host/render/explain/accuracy_notes.hpp"
+#include "host/render/explain/channel_notes.hpp"
 #include "host/render/explain/cost_model.hpp"
 #include "host/render/explain/earlier_frames.hpp"
 #include "host/render/explain/memory_model.hpp"
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/single_cover.hpp"
@@ -89,11 +91,13 @@ class Notes {
     note("Z", plan_.has_depth(), reason_of(Channel::depth), costs_.depth);
     other_channels();
     rounding();
+    for (PlanNote& step : channel_steps(plan_, costs_)) notes_.push_back(std::move(step));
   }
 
   std::string reason_of(Channel channel) const {
-    return plan_.has(channel) ? fmt::format("asked for: {} bytes a pixel", pixel_bytes(channel))
-                              : "not among the channels";
+    if (!plan_.has(channel)) return "not among the channels";
+    const std::string detail = channel_detail(channel, plan_);
+    return fmt::format("asked for: {} bytes a pixel{}{}", pixel_bytes(channel), detail.empty() ? "" : "; ", detail);
   }
 
   // Those that are not asked for in one line: most frames have none of them.
@@ -101,7 +105,8 @@ class Notes {
     std::string names;
     for (const Channel channel : every_channel - default_channels)
       if (plan_.has(channel))
-        note(std::string(name_of(channel)), true, reason_of(channel), 0);
+        note(std::string(name_of(channel)), true, reason_of(channel),
+             costs_.channels[static_cast<std::size_t>(channel)]);
       else
         names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(channel));
     if (!names.empty()) note("other channels", false, names + ": not among the channels", 0);
@@ -140,13 +145,15 @@ class Notes {
     const int asked_for = scene_.image.samples;
     note("samples", plan_.samples > 1,
          asked_for == 1      ? "one a pixel is asked for: its centre"
-         : plan_.samples > 1 ? fmt::format("{} a pixel are asked for: colour and alpha are their mean", asked_for)
+         : plan_.samples > 1 ? fmt::format("{} a pixel are asked for: {}", asked_for,
+                                           plan_.has_color() ? "colour and alpha are their mean" : "shares are theirs")
                              : fmt::format("{} a pixel are asked for, but no colour", asked_for),
          costs_.samples);
     if (plan_.samples > 1)
-      note("pixel centres", plan_.has_depth(),
-           plan_.has_depth() ? "Z is that of the centre, which is no sample: one more pass"
-                             : "no channel is asked for that shows what is at the centre",
+      note("pixel centres", draws_centres(plan_),
+           plan_.has_depth()      ? "Z is that of the centre, which is no sample: one more pass"
+           : draws_centres(plan_) ? "some channel is that of the centre, which is no sample: one more pass"
+                                  : "no channel is asked for that shows what is at the centre",
            costs_.centres);
   }
 

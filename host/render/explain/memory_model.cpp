@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
 #include "host/render/frame/bin_pools.hpp"
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 
 namespace morphcl {
@@ -15,8 +17,9 @@ namespace {
 std::size_t padded(std::size_t count, std::size_t multiple) { return (count + multiple - 1) / multiple * multiple; }
 
 // Planes of floats, every attribute of the mesh and its targets, whether a frame uses it or not.
-std::size_t attribute_bytes(const Mesh& mesh) {
-  std::size_t planes = 3 + (mesh.normals.empty() ? 0 : 3) + (mesh.colors.empty() ? 0 : 4);
+std::size_t attribute_bytes(const Mesh& mesh, bool with_uvs) {
+  std::size_t planes =
+      3 + (mesh.normals.empty() ? 0 : 3) + (mesh.colors.empty() ? 0 : 4) + (!with_uvs || mesh.uvs.empty() ? 0 : 2);
   for (const MorphTarget& target : mesh.targets)
     planes += (target.positions.empty() ? 0 : 3) + (target.normals.empty() || mesh.normals.empty() ? 0 : 3) +
               (target.colors.empty() || mesh.colors.empty() ? 0 : 4);
@@ -31,7 +34,7 @@ std::size_t primitive_count(const Draw& draw) {
 struct Totals {
   std::size_t attributes = 0, indices = 0;  // bytes, each mesh once
   std::size_t vertices = 0, primitives = 0;
-  bool lit = false, flat = false, tinted = false;
+  bool has_attributes = false, flat = false, tinted = false;
 };
 
 Totals add_up(const FramePlan& plan) {
@@ -43,10 +46,11 @@ Totals add_up(const FramePlan& plan) {
     totals.vertices += padded(draw.mesh->positions.size(), layout::lanes);
     totals.primitives += primitives;
     totals.flat |= draw.shading == Shading::flat;
-    totals.lit |= draw.shading == Shading::flat || draw.shading == Shading::smooth;
+    totals.has_attributes |=
+        draw.shading == Shading::flat || draw.shading == Shading::smooth || draw.normals != NormalSource::none;
     totals.tinted |= draw.vertex_colors;
     if (!meshes.insert(draw.mesh).second) continue;
-    totals.attributes += attribute_bytes(*draw.mesh);
+    totals.attributes += attribute_bytes(*draw.mesh, plan.has(Channel::uv));
     totals.indices +=
         3 * sizeof(layout::uint) *
         (padded(draw.mesh->triangles.size(), layout::lanes) + (draw.shading == Shading::wireframe ? primitives : 0));
@@ -70,9 +74,14 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   add(need.meshes, totals.indices, "indices of the meshes");
   constexpr std::size_t record = 16;
   add(need.vertices, totals.vertices * record, "projected vertices");
-  if (totals.lit) add(need.vertices, totals.vertices * record, "normals");
+  if (totals.has_attributes) add(need.vertices, totals.vertices * record, "normals");
   if (totals.tinted) add(need.vertices, totals.vertices * record, "vertex colours");
   if (totals.flat) add(need.vertices, totals.primitives * record, "light of the faces");
+  if (plan.has(Channel::velocity)) {
+    add(need.vertices, totals.vertices * 2 * record, "vertices of this frame and the next");
+    for (const Draw& draw : plan.next_draws)
+      if (draw.displaced) need.meshes += 3 * padded(draw.mesh->positions.size(), layout::lanes) * sizeof(float);
+  }
 
   // Its bins as the device renderer lays them out before the first frame.
   layout::FrameConstants constants{};
@@ -84,8 +93,16 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   BinPools pools;
   const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
   if (plan.samples > 1) add(need.bins, sizes.sample_fragments, "samples of small triangles");
-  if (plan.samples == 1 || plan.has_depth()) add(need.bins, sizes.fragment_keys, "fragments of small triangles");
+  if (plan.samples == 1 || draws_centres(plan)) add(need.bins, sizes.fragment_keys, "fragments of small triangles");
   add(need.bins, sizes.large, "large triangles");
+  // Of tables of ids there is a band of 64 MB at most.
+  const std::size_t of_pixels =
+      (plan.channels & channels_of_samples).empty() ? 1 : static_cast<std::size_t>(plan.samples);
+  if (!(plan.channels & (channels_of_centres | channels_of_samples)).empty())
+    need.bins +=
+        std::min(static_cast<std::size_t>(constants.tiles_x) * static_cast<std::size_t>(constants.tiles_y) *
+                     (sizeof(layout::TileIds) + layout::tile * layout::tile * sizeof(layout::uint) * of_pixels),
+                 std::size_t{64} << 20);
   // Neither these nor the picture is a buffer that may be too large: where they do not fit, a device gets the lists of
   // fewer chunks, and the picture in as many pieces as it wants.
   need.bins += sizes.bins;

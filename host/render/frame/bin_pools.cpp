@@ -43,7 +43,7 @@ BinPools with_guess(BinPools pools, const layout::FrameConstants& constants) {
   return pools;
 }
 
-BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants) {
+BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants, std::size_t id_bytes) {
   constants.fragment_pages = pools.fragment_pages;
   constants.entry_pages = pools.entry_pages;
   constants.large_capacity = pools.large;
@@ -62,6 +62,7 @@ BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants) {
   bins.entry_next = offsets.take(entry_pages * sizeof(uint));
   bins.entry_triangles = offsets.take(entry_pages * layout::page * sizeof(uint));
   bins.fragment_places = offsets.take(fragment_pages * layout::page * sizeof(std::uint16_t));
+  bins.ids = offsets.take(id_bytes);
   return {offsets.end(), fragment_pages * layout::page * sizeof(layout::ulong),
           fragment_pages * layout::page * sizeof(layout::SampleFragment),
           chunks * pools.large * sizeof(layout::LargeTriangle),
@@ -84,11 +85,12 @@ void BinPools::grow_to_clipped(uint needed) {
   if (needed > clipped) clipped = with_margin(needed);
 }
 
-BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants) {
+BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants,
+                      std::size_t id_bytes) {
   for (uint max_chunks = 64;; max_chunks /= 2) {
     set_chunks(max_chunks, constants);
     const BinPools guessed = with_guess(pools, constants);
-    const BinSizes sizes = lay_out(guessed, constants);
+    const BinSizes sizes = lay_out(guessed, constants, id_bytes);
     if (sizes.bins > max_allocation && max_chunks > 1) continue;
     pools = guessed;
     return sizes;

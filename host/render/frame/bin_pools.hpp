@@ -28,6 +28,8 @@ struct BinSizes {
 // in the constants, whose size and numbers of groups are set. Chunks are a matter of load only: enough of them for the
 // threads, each big enough to be worth its bins, but so few that `bins` is no larger than what the device allocates at
 // once. Pools that are too small for a guess at the frame grow.
-BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants);
+// `id_bytes`: of the tables of ids of a band, in `bins` too.
+BinSizes lay_out_bins(std::size_t max_allocation, BinPools& pools, layout::FrameConstants& constants,
+                      std::size_t id_bytes = 0);
 
 }  // namespace morphcl

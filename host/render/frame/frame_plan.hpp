@@ -21,6 +21,9 @@
 
 namespace morphcl {
 
+// What channel N takes: the mesh's normals, or those of its faces. Nothing of lines, or where N is not asked for.
+enum class NormalSource : std::uint8_t { none, vertices, faces };
+
 struct Draw {
   const Mesh* mesh = nullptr;
   std::uint32_t object = 0;  // index into the scene's objects
@@ -29,7 +32,8 @@ struct Draw {
   bool mirrored = false;              // the object's transform has a negative determinant: front faces turn clockwise
   std::array<Row, 4> object_to_clip;  // rows x, y, depth, w
   std::array<Row, 3> object_to_eye;   // for lighting: positions
-  std::array<std::array<float, 3>, 3> normal_to_eye{};  // inverse transpose, scaled by a power of two; of lit draws
+  // Inverse transpose, scaled by a power of two; of draws that are lit or show normals.
+  std::array<std::array<float, 3>, 3> normal_to_eye{};
   std::array<float, 4> base_color;
   std::uint32_t line_width = 1u << 8;  // of a wireframe: sub-pixels
   bool vertex_colors = false;
@@ -41,6 +45,9 @@ struct Draw {
   // What channels show of it; 0 where the plan's channels do not ask for it.
   std::uint32_t object_id = 0, material_id = 0;
   float crypto_object = 0, crypto_material = 0;  // ids of the names (host/cryptomatte_id.hpp)
+  std::array<float, 3> albedo{};                 // base colour without light
+  NormalSource normals = NormalSource::none;
+  bool moves = false;  // some vertex is elsewhere on the picture in the next frame; where velocity is asked for
 };
 
 struct EyeLight {
@@ -60,8 +67,10 @@ struct FramePlan {
   std::int64_t frame = 0, fps_numerator = 0, fps_denominator = 1;
   int width = 0, height = 0;
   ChannelSet channels = default_channels;
-  int samples = 1;  // a pixel, of which its colour and alpha are the mean; 1 without colour
+  int samples = 1;  // a pixel, of which its colour and alpha are the mean; 1 where no channel depends on them
   std::vector<Draw> draws;
+  // For velocity: the same draws in the frame with the next number, as far as it says where vertices are. Else empty.
+  std::vector<Draw> next_draws;
   // Not 0: plans of one planner with the same number have the same draws, but for their targets' weights.
   std::uint64_t draws_version = 0;
   std::vector<EyeLight> lights;
@@ -74,6 +83,7 @@ struct FramePlan {
   bool keeps_vertices = true;     // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
   std::shared_ptr<const std::vector<BackgroundRow>> background;  // of each row; null: 0 in all four
+  std::array<Row, 3> eye_to_world{};                             // where N or P is asked for
   // For the image's attributes.
   glm::dmat4 world_to_eye{1.0}, world_to_ndc{1.0};
   ChannelNames channel_names = ChannelNames::plain;

@@ -27,11 +27,14 @@ static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(ClippedPrimitive) == 104);
-static_assert(sizeof(BinsOffsets) == 64);
-static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 49);
+static_assert(sizeof(BinsOffsets) == 72);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 51);
 static_assert(sizeof(ChunkStatus) == 16);
 static_assert(sizeof(SampleFragment) == 20);
 static_assert(sizeof(BinsHeader) == 64);
+static_assert(sizeof(TileIds) == 128);
+static_assert(sizeof(ChannelConstants) == 4 * (4 + CHANNELS + 12 + 4));
+static_assert(sizeof(ChannelDraw) == 48);
 
 static_assert(static_cast<int>(DepthFormat::reversed_float) == DEPTH_REVERSED_FLOAT &&
               static_cast<int>(DepthFormat::forward_float) == DEPTH_FLOAT &&

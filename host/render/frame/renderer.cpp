@@ -34,20 +34,10 @@ void require_fit(const FramePlan& plan, const FrameBuffer& frame) {
                   shape(frame.width(), frame.height(), frame.channels())));
 }
 
-// What the renderers draw.
-constexpr ChannelSet drawn_channels{Channel::color, Channel::depth};
-
-void require_drawn(ChannelSet channels) {
-  for (const Channel channel : channels - drawn_channels)
-    throw Error(ErrorKind::usage, "",
-                fmt::format("channel {} is not drawn by this version: RGBA and Z are", name_of(channel)));
-}
-
 }  // namespace
 
 void Renderer::render(const Plan& plan, FrameBuffer& frame) {
   require_fit(*plan, frame);
-  require_drawn(plan->channels);
   if (!plan->alone) {
     if (planner_ != 0 && planner_ != plan->planner)
       throw Error(

@@ -112,7 +112,7 @@ std::vector<Vertex> project_vertices(const Draw& draw, const FramePlan& plan, co
     set_clip_point(draw, i, v);
     v.outcode = outcode(v.clip, plan, grid);
     if (v.outcode == 0) v.screen = to_screen(v.clip, grid, plan);
-    if (draw.shading == Shading::smooth) v.normal = eye_normal(draw, i);
+    if (draw.shading == Shading::smooth || draw.normals == NormalSource::vertices) v.normal = eye_normal(draw, i);
     if (draw.vertex_colors) {
       v.color = morph(draw, mesh.colors, &MorphTarget::colors, i);
       for (int c = 0; c < 4; ++c) v.color[c] = std::min(std::max(v.color[c], 0.0f), 1.0f) + 0.0f;

@@ -24,7 +24,7 @@ struct Vertex {
   ClipPoint clip;
   int outcode;  // 0: `screen` holds
   ScreenVertex screen;
-  glm::vec3 normal;  // unit, eye space; of smooth draws
+  glm::vec3 normal;  // unit, eye space; of draws that are smooth or show the mesh's normals
   glm::vec4 color;   // of draws with vertex colours
 };
 

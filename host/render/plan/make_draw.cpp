@@ -15,6 +15,12 @@ Row to_row(const glm::dmat4& m, int row) {
 
 bool is_lit(Shading shading) { return shading == Shading::smooth || shading == Shading::flat; }
 
+// As shading has them, and unlit the mesh's own if it has any.
+NormalSource normals_shown_by(Shading shading, const Mesh& mesh) {
+  if (shading == Shading::wireframe) return NormalSource::none;
+  return shading == Shading::flat || mesh.normals.empty() ? NormalSource::faces : NormalSource::vertices;
+}
+
 }  // namespace
 
 void make_draw(const DrawContext& context, std::size_t object_index, const glm::dmat4& object_to_eye,
@@ -32,6 +38,10 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
 
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
+  const bool shows_albedo = context.plan.has(Channel::albedo), shows_normals = context.plan.has(Channel::normal);
+  draw.albedo = {};
+  if (shows_albedo) std::copy_n(draw.base_color.begin(), 3, draw.albedo.begin());
+  draw.normals = shows_normals ? normals_shown_by(draw.shading, *draw.mesh) : NormalSource::none;
   draw.lit_per_pixel = false;
   if (draw.shading == Shading::smooth && draw.mesh->normals.empty()) {
     // The face has one normal. Light from a direction gives it one colour; a point light does not.
@@ -42,7 +52,7 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   if (!context.plan.has_color() && !context.keeps_normals) {
     // Distances do not depend on colours.
     if (draw.shading != Shading::wireframe) draw.shading = Shading::unlit;
-    draw.vertex_colors = false;
+    draw.vertex_colors = draw.vertex_colors && shows_albedo;
   } else if (context.plan.lights.empty() && is_lit(draw.shading) && !context.keeps_normals) {
     // Without lights every normal gives the ambient light, which goes into the base colour: the same fp32 product.
     draw.shading = Shading::unlit;
@@ -53,7 +63,7 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
 
   for (int row = 0; row < 4; ++row) draw.object_to_clip[row] = to_row(object_to_clip, row);
   for (int row = 0; row < 3; ++row) draw.object_to_eye[row] = to_row(object_to_eye, row);
-  if (is_lit(draw.shading) || context.keeps_normals) {
+  if (is_lit(draw.shading) || draw.normals != NormalSource::none || context.keeps_normals) {
     const glm::dmat3 normals = normal_matrix(object_to_eye);
     for (int row = 0; row < 3; ++row)
       draw.normal_to_eye[row] = {to_fp32(normals[0][row]), to_fp32(normals[1][row]), to_fp32(normals[2][row])};

@@ -1,4 +1,5 @@
 #include "morphcl/planner.hpp"
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/frame_plan.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/make_draw.hpp"
 #include "host/render/plan/motion_bounds.hpp"
+#include "host/render/plan/next_frame.hpp"
 #include "host/render/plan/object_tree.hpp"
 #include "host/render/plan/shared_weights.hpp"
 #include "host/render/plan/single_cover.hpp"
@@ -106,6 +108,12 @@ void add_camera(const ViewVolume& volume, const glm::dmat4& world_to_eye, FrameP
   ray(1, -2.0 / plan.height, 1.0, 2);
   plan.world_to_eye = world_to_eye;
   plan.world_to_ndc = ndc * world_to_eye;
+  if (!plan.has(Channel::normal) && !plan.has(Channel::position)) return;
+  const glm::dmat4 eye_to_world = rigid_inverse(world_to_eye);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      plan.eye_to_world[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+          to_fp32(eye_to_world[column][row]);
 }
 
 // The colours at the rows' middles, in binary64, rounded to half once; null where colour or a background is not there.
@@ -156,7 +164,9 @@ struct Planner::Impl {
         background(background_rows(s.image)),
         margin(margin_of_lines(s)),
         weights(s),
-        elastic(s) {}
+        elastic(s) {
+    if (s.image.channels.contains(Channel::velocity)) next.emplace(s, meshes, ids);
+  }
 
   FramePlan plan(std::int64_t frame);
 
@@ -190,6 +200,7 @@ struct Planner::Impl {
   DrawMemory memory;
   SharedWeights weights;
   ElasticShapes elastic;
+  std::optional<NextFrame> next;  // where velocity is asked for
   std::size_t drawn_before = 0;
   std::int64_t tick = 0;
 };
@@ -213,7 +224,8 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.channels = scene.image.channels;
   plan.channel_names = scene.image.channel_names;
   plan.manifests = manifests;
-  plan.samples = plan.has_color() ? scene.image.samples : 1;
+  const bool needs_samples = plan.has_color() || !(plan.channels & channels_of_samples).empty();
+  plan.samples = needs_samples ? scene.image.samples : 1;
   const int eye = timeline.camera.node;
   const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height, margin);
@@ -295,6 +307,7 @@ FramePlan Planner::Impl::plan(std::int64_t frame) {
   tick = tick_of(scene.timeline.time, frame);
   try {
     add_draws(start(frame, plan), plan);
+    if (next) next->add_to(plan, !options.idle_targets, elastic);
   } catch (const Error& error) {
     const ErrorKind kind = error.kind() == ErrorKind::usage ? ErrorKind::bad_input : error.kind();
     throw Error(kind, error.place(), fmt::format("frame {}: {}", frame, error.message()));

@@ -24,6 +24,7 @@ std::vector<Vertex> project(const FramePlan& plan) {
   Draw draw = plan.draws[0];
   draw.shading = Shading::unlit;
   draw.vertex_colors = false;  // positions are enough
+  draw.normals = NormalSource::none;
   return reference::project_vertices(draw, plan, RasterGrid(plan.width, plan.height));
 }
 

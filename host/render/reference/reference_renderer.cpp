@@ -8,7 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/frame_plan.hpp"
+#include "host/render/reference/channel_writer.hpp"
 #include "host/render/reference/resolve.hpp"
 #include "host/render/reference/shade.hpp"
 #include "host/thread_count.hpp"
@@ -44,9 +46,21 @@ std::array<std::uint16_t, 4> opaque_pixel(const glm::vec3& color) {
           imath_float_to_half(1.0f)};
 }
 
-// Of one sample a pixel, the centre. `with_color`: else distances alone.
-void draw_centres(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
-                  bool with_color, const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+// What all threads take from.
+struct Picture {
+  const FramePlan& plan;
+  const RasterGrid& grid;
+  const SceneVertices& vertices;
+  const std::vector<RowMemory>& rows;
+  const reference::Centres& centres;
+  const reference::ChannelWriter& channels;
+};
+
+// Of one sample a pixel, the centre. `with_color`: else what is that of the centre alone.
+void draw_centres(const Picture& picture, const Rows& rows, bool with_color, reference::Visibility& visible) {
+  const auto& [plan, grid, vertices, frame, centres, channels] = picture;
+  const bool with_channels = !(plan.channels & channels_of_centres).empty(),
+             with_shares = plan.samples == 1 && !(plan.channels & channels_of_samples).empty();
   reference::find_visible(plan, grid, vertices, rows, 1, visible);
   for (int y = rows.first; y < plan.height; y += rows.step) {
     const RowMemory& row = frame[static_cast<std::size_t>(y)];
@@ -60,27 +74,31 @@ void draw_centres(const FramePlan& plan, const RasterGrid& grid, const SceneVert
       }
       if (plan.has_depth())
         row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
+      if (with_channels) channels.write(centres.at(visible, x, y), x, y);
+      if (with_shares) channels.write_shares(plan, visible.samples_of(x, y), x, y);
     }
   }
 }
 
-// Colours of several samples a pixel.
-void draw_samples(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
-                  const std::vector<RowMemory>& frame, reference::Visibility& visible) {
+// Colours, and shares of samples, of several samples a pixel.
+void draw_samples(const Picture& picture, const Rows& rows, reference::Visibility& visible) {
+  const auto& [plan, grid, vertices, frame, centres, channels] = picture;
+  const bool with_shares = !(plan.channels & channels_of_samples).empty();
   reference::find_visible(plan, grid, vertices, rows, plan.samples, visible);
   for (int y = rows.first; y < plan.height; y += rows.step)
     for (int x = 0; x < plan.width; ++x) {
+      if (with_shares) channels.write_shares(plan, visible.samples_of(x, y), x, y);
+      if (!plan.has_color()) continue;
       const auto pixel = reference::resolve_pixel(plan, visible, vertices, x, y);
       for (std::size_t c = 0; c < 4; ++c) frame[static_cast<std::size_t>(y)].color[c][x] = pixel[c];
     }
 }
 
-void draw_rows(const FramePlan& plan, const RasterGrid& grid, const SceneVertices& vertices, const Rows& rows,
-               const std::vector<RowMemory>& frame, reference::Visibility& visible) {
-  const bool one_sample = plan.samples == 1;
-  if (one_sample || plan.has_depth())
-    draw_centres(plan, grid, vertices, rows, plan.has_color() && one_sample, frame, visible);
-  if (!one_sample) draw_samples(plan, grid, vertices, rows, frame, visible);
+void draw_rows(const Picture& picture, const Rows& rows, reference::Visibility& visible) {
+  const bool one_sample = picture.plan.samples == 1;
+  if (one_sample || draws_centres(picture.plan))
+    draw_centres(picture, rows, picture.plan.has_color() && one_sample, visible);
+  if (!one_sample) draw_samples(picture, rows, visible);
 }
 
 class ReferenceRenderer : public Renderer {
@@ -97,9 +115,13 @@ class ReferenceRenderer : public Renderer {
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     const RasterGrid grid(plan.width, plan.height);
-    SceneVertices vertices;
+    SceneVertices vertices, next;
     for (const Draw& draw : plan.draws) vertices.push_back(reference::project_vertices(draw, plan, grid));
+    for (const Draw& draw : plan.next_draws) next.push_back(reference::project_vertices(draw, plan, grid));
     const std::vector<RowMemory> rows = memory_of_rows(frame);
+    const reference::Centres centres(plan, vertices, next);
+    const reference::ChannelWriter channels(frame);
+    const Picture picture{plan, grid, vertices, rows, centres, channels};
     const int parts = std::min(threads_, plan.height);
     visible_.resize(static_cast<std::size_t>(parts));
     std::mutex mutex;
@@ -114,7 +136,7 @@ class ReferenceRenderer : public Renderer {
           part = next_part++;
         }
         try {
-          draw_rows(plan, grid, vertices, {part, parts}, rows, visible_[static_cast<std::size_t>(part)]);
+          draw_rows(picture, {part, parts}, visible_[static_cast<std::size_t>(part)]);
         } catch (...) {
           const std::lock_guard lock(mutex);
           failure = std::current_exception();

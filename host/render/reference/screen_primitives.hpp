@@ -24,7 +24,13 @@ struct ScreenTriangle {
 // Half of what a line covers across its longer axis, in sub-pixels; `run` and `rise` along that axis and across it.
 std::int64_t half_thickness(std::int64_t run, std::int64_t rise, std::uint32_t width);
 
-// visitor.triangle(ScreenTriangle, identity) and visitor.line(from, to, width, identity), in drawing order.
+struct ScreenLine {
+  ScreenVertex from, to;
+  std::uint32_t width;  // sub-pixels
+  const Piece* piece;   // null: the whole line; else its ends are the first two corners
+};
+
+// visitor.triangle(ScreenTriangle, identity) and visitor.line(ScreenLine, identity), in drawing order.
 template <class Visitor>
 void for_each_screen_primitive(const FramePlan& plan, const RasterGrid& grid,
                                const std::vector<std::vector<Vertex>>& vertices, Visitor&& visitor) {
@@ -48,7 +54,7 @@ void for_each_screen_primitive(const FramePlan& plan, const RasterGrid& grid,
       PrimitiveIdentity identity{order, d, p};
       if (some == 0) {
         if (lines)
-          visitor.line(v[0]->screen, v[1]->screen, draw.line_width, identity);
+          visitor.line(ScreenLine{v[0]->screen, v[1]->screen, draw.line_width, nullptr}, identity);
         else
           visitor.triangle({v[0]->screen, v[second]->screen, v[third]->screen, draw.double_sided, nullptr}, identity);
         continue;
@@ -59,9 +65,13 @@ void for_each_screen_primitive(const FramePlan& plan, const RasterGrid& grid,
         corners.push_back({v[i]->clip, {i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f}});
       corners = clip_polygon(std::move(corners), plan, grid);
       if (lines) {
-        if (corners.size() == 2)
-          visitor.line(to_screen(corners[0].clip, grid, plan), to_screen(corners[1].clip, grid, plan), draw.line_width,
-                       identity);
+        if (corners.size() != 2) continue;
+        Piece piece{};
+        for (int k = 0; k < 2; ++k) {
+          piece.corner[k] = to_screen(corners[k].clip, grid, plan);
+          std::copy(corners[k].weight, corners[k].weight + 3, piece.weight[k]);
+        }
+        visitor.line(ScreenLine{piece.corner[0], piece.corner[1], draw.line_width, &piece}, identity);
         continue;
       }
       for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

@@ -190,15 +190,18 @@ struct DrawnPrimitives {
   Visibility& visible;
 
   void triangle(const ScreenTriangle& t, const PrimitiveIdentity& identity) {
-    Sample sample{0, 0, identity.order, identity.draw, identity.primitive, no_piece};
-    if (t.piece) {
-      sample.piece = static_cast<std::uint32_t>(visible.pieces.size());
-      visible.pieces.push_back(*t.piece);
-    }
-    rasterizer.triangle(t.a, t.b, t.c, t.double_sided, t.piece == nullptr, sample);
+    rasterizer.triangle(t.a, t.b, t.c, t.double_sided, t.piece == nullptr, sample_of(identity, t.piece));
   }
-  void line(const ScreenVertex& from, const ScreenVertex& to, std::uint32_t width, const PrimitiveIdentity& identity) {
-    rasterizer.line(from, to, width, {0, 0, identity.order, identity.draw, identity.primitive, no_piece});
+  void line(const ScreenLine& line, const PrimitiveIdentity& identity) {
+    rasterizer.line(line.from, line.to, line.width, sample_of(identity, line.piece));
+  }
+
+  Sample sample_of(const PrimitiveIdentity& identity, const Piece* piece) {
+    Sample sample{0, 0, identity.order, identity.draw, identity.primitive, no_piece};
+    if (!piece) return sample;
+    sample.piece = static_cast<std::uint32_t>(visible.pieces.size());
+    visible.pieces.push_back(*piece);
+    return sample;
   }
 };
 

@@ -23,7 +23,8 @@ struct Sample {
 constexpr std::uint64_t no_order = ~std::uint64_t{0};
 constexpr std::uint32_t no_piece = ~std::uint32_t{0};
 
-// A triangle that clipping left, with its corners' weights at the source triangle's vertices.
+// A triangle that clipping left, with its corners' weights at the source triangle's vertices; or a line, of whose third
+// corner all is 0.
 struct Piece {
   ScreenVertex corner[3];
   float weight[3][3];
