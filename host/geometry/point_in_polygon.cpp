@@ -1,4 +1,4 @@
-#include "morphcl/predicates.hpp"
+#include "morphcl/numerics.hpp"
 
 #include <cstddef>
 

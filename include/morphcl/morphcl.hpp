@@ -27,7 +27,6 @@
 #include "morphcl/plan.hpp"
 #include "morphcl/planner.hpp"
 #include "morphcl/png.hpp"
-#include "morphcl/predicates.hpp"
 #include "morphcl/projection.hpp"
 #include "morphcl/renderer.hpp"
 #include "morphcl/rotation.hpp"

@@ -4,7 +4,6 @@
 #include "morphcl/camera.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/numerics.hpp"
-#include "morphcl/predicates.hpp"
 #include "morphcl/projection.hpp"
 #include "morphcl/rotation.hpp"
 #include "morphcl/solids.hpp"

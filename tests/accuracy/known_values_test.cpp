@@ -7,7 +7,6 @@
 
 #include "host/math/kahan.hpp"
 #include "morphcl/numerics.hpp"
-#include "morphcl/predicates.hpp"
 #include "morphcl/projection.hpp"
 #include "morphcl/rotation.hpp"
 #include "morphcl/transform.hpp"

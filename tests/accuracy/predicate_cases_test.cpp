@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "morphcl/predicates.hpp"
+#include "morphcl/numerics.hpp"
 #include "tests/accuracy/demand.hpp"
 #include "tests/accuracy/naive_forms.hpp"
 #include "tests/support/random.hpp"

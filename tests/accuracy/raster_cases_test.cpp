@@ -255,7 +255,7 @@ TEST(ExtremeCase, PerspectiveInterpolationOfPixels) {
     }
     const Real value = sum / total;
     const double bound = one_sign ? 5 * ulp32(value) : 5 * u32 * largest;
-    stable.add(reference::shade(plan, visible, {corners}, 0, 0).x, value, bound);
+    stable.add(reference::shade_centre(plan, visible, visible.sample(0, 0), {corners}, 0, 0).color.x, value, bound);
     naive_form.add(naive::attribute_at(areas, inverse_w, attribute), value, bound);
   }
   expect_demand(stable, naive_form);

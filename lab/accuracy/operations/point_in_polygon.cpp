@@ -7,7 +7,7 @@
 
 #include "lab/accuracy/operations/elementwise_variant.hpp"
 #include "lab/accuracy/operations/operations.hpp"
-#include "morphcl/predicates.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl::accuracy {
 
