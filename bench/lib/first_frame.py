@@ -53,27 +53,37 @@ class Runner:
     def median(self, key, **wanted):
         return statistics.median(self.figures(key, **wanted))
 
+    def median_of_pairs(self, key, device, other, **where):
+        """What a round's figure for `device` is of the same round's for `other`."""
+        return statistics.median(a / b for a, b in zip(self.figures(key, device=device, **where),
+                                                       self.figures(key, device=other, **where)))
+
 
 def goals(runner, threads):
-    """Lines of the table of what is aimed at from an empty cache."""
+    """Lines of the table of what is aimed at from an empty cache. What is compared is of the same round."""
     lines = []
 
-    def line(what, measured, most, aim=""):
-        lines.append([what, f"**{measured:.0f}**", f"{most:.0f}", f"{aim:.0f}" if aim else "",
-                      "yes" if measured <= most else "no"])
+    def line(what, measured, most, aim=0):
+        """Lists of a figure a round; `most` may be one number."""
+        bounds = most if isinstance(most, list) else [most] * len(measured)
+        share = statistics.median(a / b for a, b in zip(measured, bounds))
+        lines.append([what, f"{statistics.median(measured):.0f}", f"{statistics.median(bounds):.0f}",
+                      f"{aim:.0f}" if aim else "", f"**{share:.2f}**"])
     line("first file of `pyramid_to_cube`, 1920 × 1080",
-         runner.median("first_file_ms", shot="pyramid_to_cube", frames="0", cache="empty", device="auto"), FIRST_FILE)
+         runner.figures("first_file_ms", shot="pyramid_to_cube", frames="0", cache="empty", device="auto"), FIRST_FILE)
     line("20 frames of `pyramid_to_cube`, 256 × 256, to the end",
-         runner.median("end_ms", shot="pyramid_to_cube", frames="0-19", cache="empty", device="auto"), SMALL_JOB)
+         runner.figures("end_ms", shot="pyramid_to_cube", frames="0-19", cache="empty", device="auto"), SMALL_JOB)
     for shot in LONG_SHOTS:
-        def median(key, cache, device):
-            return runner.median(key, shot=shot, frames="0-99", threads=threads, cache=cache, device=device)
-        compiling = median("first_file_ms", "empty", "0") - median("first_file_ms", "warm", "0")
-        warm = median("end_ms", "warm", "0")
-        line(f"100 frames of `{shot}`, 1920 × 1080, to the last file (its kernels compile in {compiling:.0f} ms; warm, "
-             f"the device takes {warm:.0f} ms)", median("last_file_ms", "empty", "auto"), compiling + 1.1 * warm,
-             1.3 * warm + 300)
-    return tables.table(["from an empty cache", "ms", "at most", "aim", "kept"], lines)
+        def rounds(key, cache, device):
+            return runner.figures(key, shot=shot, frames="0-99", threads=threads, cache=cache, device=device)
+        compiling = [cold - kept for cold, kept in zip(rounds("first_file_ms", "empty", "0"),
+                                                       rounds("first_file_ms", "warm", "0"))]
+        warm = rounds("end_ms", "warm", "0")
+        line(f"100 frames of `{shot}`, 1920 × 1080, to the last file (its kernels compile in "
+             f"{statistics.median(compiling):.0f} ms; warm, the device takes {statistics.median(warm):.0f} ms)",
+             rounds("last_file_ms", "empty", "auto"), [a + 1.1 * b for a, b in zip(compiling, warm)],
+             1.3 * statistics.median(warm) + 300)
+    return tables.table(["from an empty cache", "ms", "at most", "aim", "of the most"], lines)
 
 
 def shots_table(runner, shots):
@@ -83,14 +93,15 @@ def shots_table(runner, shots):
             for cache in ("empty", "warm"):
                 where = {"shot": shot, "frames": "all", "threads": threads, "cache": cache}
                 by_turns, device = (runner.median("end_ms", device=name, **where) for name in ("auto", "0"))
+                share = runner.median_of_pairs("end_ms", "auto", "0", **where)
                 first = [runner.median("first_file_ms", device=name, **where) for name in ("auto", "0")]
                 drawn = runner.median("by_reference", device="auto", **where)
-                later = by_turns > device * (1 + NOISE) + NOISE_MS
-                lines.append([shot, threads, cache, *(f"{value:.0f}" for value in first), f"**{by_turns:.0f}**",
-                              f"{device:.0f}", "later" if later else "",
+                later = share > 1 + NOISE and (share - 1) * device > NOISE_MS
+                lines.append([shot, threads, cache, *(f"{value:.0f}" for value in first), f"{by_turns:.0f}",
+                              f"{device:.0f}", f"**{share:.2f}**", "later" if later else "",
                               f"{drawn:.0f} of {runner.median('rendered', device='auto', **where):.0f}"])
     return tables.table(["shot", "threads", "cache", "auto, first file, ms", "device, first file, ms", "auto, end, ms",
-                         "device, end, ms", "", "frames by the reference"], lines)
+                         "device, end, ms", "of the device's", "", "frames by the reference"], lines)
 
 
 def run(programs, options):
@@ -124,7 +135,7 @@ def run(programs, options):
                       "measured and how to read it: [README](../README.md).",
                       [*goals(runner, options.threads), "", "The shots of `demos/`, whole:", "",
                        *shots_table(runner, shots)],
-                      [f"- medians of {rounds} rounds, both ways in turn in each; {options.threads} threads in the first "
+                      [f"- medians of {rounds} rounds, both ways in turn in each, and of what they are of each other in a round; {options.threads} threads in the first "
                        "table; one thread is one processor; files and caches in a file system in memory",
                        "- empty: nothing compiled before, in a folder of its own; warm: after `morphcl warm`. Both ways "
                        "store what they compiled and drew with before they end",
