@@ -58,6 +58,9 @@ void compare_at_centres(Scene& scene) {
       print_message(fmt::format("note: {}: lines are compared one pixel wide, not {}; see docs/frame-error.md",
                                 object.name, width));
     width = 1;
+    if (object.material.base_color.a < 1 && object.material.alpha_mode == AlphaMode::blend)
+      print_message(fmt::format("note: {}: is compared as if it were opaque; see docs/frame-error.md", object.name));
+    object.material.alpha_mode = AlphaMode::opaque;
   }
 }
 

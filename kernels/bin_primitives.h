@@ -304,6 +304,13 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
                        (draw->flags & DRAW_DOUBLE_SIDED) != 0);
 }
 
+// Whose lists the next primitives go into.
+ALWAYS_INLINE void choose_lists(Bins* bins, ChunkBins own, global const DrawConstants* draw) {
+  const bool blended = (draw->flags & DRAW_BLENDED) != 0;
+  bins->fragments.heads = blended ? own.blended_fragment_heads : own.fragment_heads;
+  bins->entries.heads = blended ? own.blended_entry_heads : own.entry_heads;
+}
+
 static inline Bins empty_bins(ChunkBins own, global const FrameConstants* frame) {
   Bins bins;
   bins.fragments.heads = own.fragment_heads;
@@ -327,6 +334,9 @@ static inline Bins empty_bins(ChunkBins own, global const FrameConstants* frame)
   for (int tile = 0; tile < frame->tiles_x * frame->tiles_y; tile++) {
     bins.fragments.heads[tile] = 0;
     bins.entries.heads[tile] = 0;
+    if (!frame->blends) continue;
+    own.blended_fragment_heads[tile] = 0;
+    own.blended_entry_heads[tile] = 0;
   }
   return bins;
 }
@@ -336,12 +346,14 @@ COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict f
                              global const int4* restrict vertices, global const ClippedPrimitive* restrict clipped,
                              global Fragment* restrict fragments, global BinsHeader* restrict shared_bins,
                              global LargeTriangle* restrict large) {
-  Bins bins = empty_bins(bins_of_chunk(chunk, frame, shared_bins, fragments, large), frame);
+  const ChunkBins own = bins_of_chunk(chunk, frame, shared_bins, fragments, large);
+  Bins bins = empty_bins(own, frame);
   const GroupRange groups = primitive_groups_of(chunk, frame);
   for (uint order = groups.first; order < groups.end; order++) {
     global const DrawConstants* draw = &draws[draw_in_order(draws, frame)[order]];
     const uint group = order - draw->first_in_order;
     const uint first_id = (draw->first_primitive_group + group) * LANES * PIECES;
+    if (frame->blends) choose_lists(&bins, own, draw);
     if (draw->flags & DRAW_LINES)
       bin_line_group(&bins, draw, indices, vertices, group * LANES, first_id);
     else
@@ -359,8 +371,10 @@ COMPILED_ONCE void bin_chunk(uint chunk, global const FrameConstants* restrict f
     const uint end_slot = min(first_slot + status[chunk].clipped, frame->clip_capacity);
     for (uint slot = first_slot; slot < end_slot; slot++) {
       const uint source = clipped[slot].source;
-      bin_clipped(&bins, &draws[draw_of_primitive_group(draws, frame)[source / LANES]],
-                  vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clipped[slot].count, source * PIECES);
+      global const DrawConstants* draw = &draws[draw_of_primitive_group(draws, frame)[source / LANES]];
+      if (frame->blends) choose_lists(&bins, own, draw);
+      bin_clipped(&bins, draw, vertices + frame->first_clip_vertex + slot * CLIP_VERTICES, clipped[slot].count,
+                  source * PIECES);
     }
     overflows = total > frame->clip_capacity;
   }

@@ -30,7 +30,8 @@
 typedef struct {
   uint content[LANES];  // of each block: an id or NO_ID, which all of it shows, or MIXED_IDS: ids stand in the table
   uint left_as_it_is;   // blocks that were and stay background, as mark_blank_blocks() has them
-  uint pad[15];
+  uint layered;         // of frames that blend: blocks whose coverage stands behind the ids, a float a pixel
+  uint pad[14];
 } TileIds;
 
 // Where a frame's channels are, and what takes them from eye space to the world.

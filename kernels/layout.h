@@ -55,6 +55,8 @@
 #define PIECES (1 << PIECE_BITS)
 #define VERTEX_GROUPS_PER_CHUNK 64
 
+#define LAYER_PLANES(samples) ((samples) <= 2 ? 32 : 64 / (samples))  // blended surfaces that one pass sorts
+
 #define NO_ID 0xffffffffu          // a sample that nothing covers
 #define OUTSIDE ((int)0x80000000)  // in place of x: the vertex needs clipping, y holds its outcode
 #define BACKGROUND_DEPTH 1e10f
@@ -98,6 +100,7 @@
 #define DRAW_PIVOT 64u           // vertices are computed relative to a pivot, which the matrices have taken in
 #define DRAW_TWO_FLOAT 128u      // vertices are computed in two floats
 #define DRAW_LIT_PER_PIXEL 256u  // of a flat draw: face_colors holds its faces' normals, which are lit per pixel
+#define DRAW_BLENDED 512u        // what lies behind shows through: it goes into lists of its own
 // Channel N takes the vertices' normals, or those of the faces; of lines neither.
 #define DRAW_VERTEX_NORMALS 4096u
 #define DRAW_FACE_NORMALS 8192u
@@ -112,7 +115,7 @@
 //                  frame, 320 each. At most 448 bytes a draw, 8 a row of the picture and 4 a chunk of 64 vertex groups,
 //                  while a draw has at least 256 bytes of vertices, and for velocity 512 more. (Lights are read for
 //                  every pixel: time ends them, not memory.)
-//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 240 a
+//   draws          constants and the draws of vertex groups, of primitive groups and in the order of binning: 244 a
 //                  draw, 4 a vertex group, 8 a primitive group. Vertices take 256 a vertex group, fragment keys at
 //                  least 256 a primitive group: one of them is the larger.
 //   clipped        source and weights: 104 bytes a primitive, whose corners take 128 of the vertices.
@@ -141,8 +144,9 @@ typedef struct {
   uint index_pitch;
   uint first_target;  // into the table of active targets
   uint target_count;
-  uint precise;     // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
-  uint line_width;  // sub-pixels
+  uint precise;        // into the table of draws with DRAW_PIVOT or DRAW_TWO_FLOAT
+  uint line_width;     // sub-pixels
+  float alpha_cutoff;  // of a blended draw: alpha is 1 from here on, below it 0. Negative: it stays what it is
 } DrawConstants;
 
 typedef struct {
@@ -198,15 +202,16 @@ typedef struct {
 
 // Where the tables in `bins` begin, in bytes.
 typedef struct {
-  ulong chunk_status;         // ChunkStatus of each chunk
-  ulong vertex_chunk_status;  // uint of each chunk of vertices: not 0 when some need clipping
-  ulong fragment_heads;       // uint[chunk][tile]
-  ulong entry_heads;          // uint[chunk][tile]
-  ulong fragment_next;        // uint[chunk][page]
-  ulong entry_next;           // uint[chunk][page]
-  ulong entry_triangles;      // uint[chunk][page][entry]: index of a large triangle, perhaps with ENTIRE_TILE
-  ulong fragment_places;      // ushort[chunk][page][entry]: row << TILE_BITS | column in the tile
-  ulong ids;                  // TileIds and ids of each tile of a band
+  ulong chunk_status;                                 // ChunkStatus of each chunk
+  ulong vertex_chunk_status;                          // uint of each chunk of vertices: not 0 when some need clipping
+  ulong fragment_heads;                               // uint[chunk][tile]
+  ulong entry_heads;                                  // uint[chunk][tile]
+  ulong blended_fragment_heads, blended_entry_heads;  // the same, of blended draws
+  ulong fragment_next;                                // uint[chunk][page]
+  ulong entry_next;                                   // uint[chunk][page]
+  ulong entry_triangles;  // uint[chunk][page][entry]: index of a large triangle, perhaps with ENTIRE_TILE
+  ulong fragment_places;  // ushort[chunk][page][entry]: row << TILE_BITS | column in the tile
+  ulong ids;              // TileIds and ids of each tile of a band
 } BinsOffsets;
 
 typedef struct {
@@ -235,11 +240,13 @@ typedef struct {
   uint keeps_blank_tiles;  // blocks of the picture that are marked as background and stay it are not written
   uint first_of_two;       // of two passes over the picture, colour and distances: notes keep both kinds of marks
   uint second_of_two;
+  uint blends;  // some draw is blended: bins have lists of such draws beside the others
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
   uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
   uint channels;    // the table of ChannelConstants
   uint writes_ids;  // tiles leave tables of ids, for shade_channels
+  uint pad;
 } FrameConstants;
 
 #include "channel_layout.h"

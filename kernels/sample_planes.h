@@ -36,6 +36,26 @@ typedef SampleFloats SampleDepths;
 #endif
 #define PIXELS_OF_SAMPLE_UNIT 0x1p-4f
 
+// ---- samples of 16 pixels -------------------------------------------------------------------------------------------
+
+// Of the vectors of 16 pixels of a row, the vectors of each sample: in rounds that move the lowest bit of an
+// element's place to the top.
+ALWAYS_INLINE void split_samples(uint16* ids) {
+  uint16 moved[SAMPLES];
+  _Pragma("unroll") for (int round = 1; round < SAMPLES; round *= 2) {
+    _Pragma("unroll") for (int i = 0; i < SAMPLES / 2; i++) {
+      moved[i] = (uint16)(ids[2 * i].even, ids[2 * i + 1].even);
+      moved[i + SAMPLES / 2] = (uint16)(ids[2 * i].odd, ids[2 * i + 1].odd);
+    }
+    _Pragma("unroll") for (int i = 0; i < SAMPLES; i++) ids[i] = moved[i];
+  }
+}
+
+// The mean of the offsets of `count` samples, in sub-pixels, rounded to nearest even.
+ALWAYS_INLINE int16 mean_offset(int16 sum, float16 count) {
+  return convert_int16_rte(convert_float16(sum * SAMPLE_UNIT) / count);
+}
+
 // ---- fragments ------------------------------------------------------------------------------------------------------
 
 ALWAYS_INLINE SampleDepths depths_of_fragment(SampleFragment f) {

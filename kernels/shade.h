@@ -54,9 +54,12 @@ typedef struct {
 #endif
   EyeVector normal[3];  // at the mesh's vertices; smooth draws
   Rgb tint[3];          // vertex colours
-  bool any_cut;         // some lane's corners are those that clipping left;
-  int16 is_cut;         // their weights at the mesh's vertices:
-  float16 cut[3][3];    // [corner][vertex]
+#ifdef BLENDS
+  float16 tint_alpha[3];
+#endif
+  bool any_cut;       // some lane's corners are those that clipping left;
+  int16 is_cut;       // their weights at the mesh's vertices:
+  float16 cut[3][3];  // [corner][vertex]
 } Surface;
 
 ALWAYS_INLINE Shader shader_of(global const FrameConstants* frame, global const DrawConstants* draws,
@@ -196,6 +199,9 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
       surface->tint[i].r = as_float16(f0);
       surface->tint[i].g = as_float16(f1);
       surface->tint[i].b = as_float16(f2);
+#ifdef BLENDS
+      surface->tint_alpha[i] = as_float16(unused);
+#endif
     }
 }
 

@@ -83,11 +83,14 @@ ALWAYS_INLINE void store_shares_of_one(const ChannelShader* s, PlaneRow to, uint
   }
 }
 
-ALWAYS_INLINE void store_shares(const ChannelShader* s, PlaneRow to, global const uint* ids) {
+// `coverage`: of the 16 pixels, where it is not the share of samples that show something; else null.
+ALWAYS_INLINE void store_shares(const ChannelShader* s, PlaneRow to, global const uint* ids,
+                                global const float* coverage) {
   const uint samples = s->channels->samples;
   uint any_id;
   const float16 shares = covered_shares(s, ids, &any_id);
-  if (makes(s, CHANNEL_COVERAGE)) store_words(to, CHANNEL_COVERAGE, 0, as_int16(shares));
+  if (makes(s, CHANNEL_COVERAGE))
+    store_words(to, CHANNEL_COVERAGE, 0, as_int16(coverage ? vload16(0, coverage) : shares));
   const bool is_one =
       any_id == NO_ID || show_one_draw(s, (global const uint16*)ids, &s->shader.draws[number_of_draw(s, any_id)]);
   for (uint channel = CHANNEL_CRYPTO_OBJECT; channel <= CHANNEL_CRYPTO_MATERIAL; channel++) {
@@ -111,6 +114,7 @@ COMPILED_ONCE void shade_channels_of_tile(uint number, uint first_tile, global c
   const uint samples = s->channels->samples;
   global const TileIds* tile = ids_of_tile(place, bins, frame);
   global const uint* ids = (global const uint*)(tile + 1);
+  global const float* coverage = coverage_of_tile((global TileIds*)tile, samples);
   const int x = (int)tile_x * TILE, y = (int)(number / (uint)frame->tiles_x) * TILE;
   const int rows = min(TILE, frame->height - y);
   const bool of_samples = s->channels->channels & CHANNELS_OF_SAMPLES,
@@ -124,13 +128,14 @@ COMPILED_ONCE void shade_channels_of_tile(uint number, uint first_tile, global c
     to.column = tile_x * TILE + (uint)column;
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++) {
       to.row = picture + ((size_t)(place / (uint)frame->tiles_x) * TILE + (size_t)row) * frame->row_bytes;
-      global const uint* of_row = ids + ((uint)block * TILE_BLOCK + (uint)(row - first_row)) * (TILE_BLOCK * samples);
+      const uint row_in_tile = (uint)block * TILE_BLOCK + (uint)(row - first_row);
+      global const uint* of_row = ids + row_in_tile * (TILE_BLOCK * samples);
       if (of_centres)
         store_centres(
             s, to, centres_of(s, content == MIXED_IDS ? vload16(0, of_row) : (uint16)(content), x + column, y + row));
       if (!of_samples) continue;
       if (content == MIXED_IDS)
-        store_shares(s, to, of_row);
+        store_shares(s, to, of_row, tile->layered >> block & 1u ? coverage + row_in_tile * TILE_BLOCK : 0);
       else
         store_shares_of_one(s, to, content);
     }

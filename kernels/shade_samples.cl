@@ -29,6 +29,9 @@
 #include "tile_ids.h"
 #include "tile_pixels.h"
 #include "vector.h"
+#ifdef BLENDS
+#include "layers.h"
+#endif
 
 #define SHARE_OF_SAMPLE (1.0f / SAMPLES)
 
@@ -51,19 +54,6 @@ typedef struct {
   float4 pixel[BLOCK_PIXELS];
   uint mixed_rows;  // a bit a row: those that are not of one primitive, whose pixels stand here
 } Sums;
-
-// Of vectors of samples (sample_planes.h), the vectors of each sample: in rounds that move the lowest bit of an
-// element's place to the top.
-ALWAYS_INLINE void split_samples(uint16* ids) {
-  uint16 moved[SAMPLES];
-  _Pragma("unroll") for (int round = 1; round < SAMPLES; round *= 2) {
-    _Pragma("unroll") for (int i = 0; i < SAMPLES / 2; i++) {
-      moved[i] = (uint16)(ids[2 * i].even, ids[2 * i + 1].even);
-      moved[i + SAMPLES / 2] = (uint16)(ids[2 * i].odd, ids[2 * i + 1].odd);
-    }
-    _Pragma("unroll") for (int i = 0; i < SAMPLES; i++) ids[i] = moved[i];
-  }
-}
 
 // Sixteen pixels of four channels each, from vectors of a channel and back.
 ALWAYS_INLINE void store_pixels(float16 r, float16 g, float16 b, float16 a, float4* out) {
@@ -92,11 +82,6 @@ ALWAYS_INLINE void add_parts(Parts* parts, int16 lanes, uint16 id, uint16 place,
     count++;
   }
   parts->count = count;
-}
-
-// The mean of the offsets of `count` samples, in sub-pixels, rounded to nearest even.
-ALWAYS_INLINE int16 mean_offset(int16 sum, float16 count) {
-  return convert_int16_rte(convert_float16(sum * SAMPLE_UNIT) / count);
 }
 
 // The colours of parts; `waiting` are those that there are.
@@ -236,6 +221,71 @@ static inline void add_up_block(const Shader* s, Tile tile, int block, int rows,
   if (parts->count) shade_waiting_parts(s, parts, true, x, y, sums);
 }
 
+#ifdef BLENDS
+// Sums up 16 pixels of a row that layers may lie in front of.
+static inline void sum_up_layered_row(const Shader* s, uint16* ids, int x, int y, int row_in_block,
+                                      const LayeredRow* layers, Sums* sums) {
+  split_samples(ids);
+  Rgb sum;
+  sum.r = sum.g = sum.b = 0.0f;
+  float16 empty = 0.0f, through_empty = 0.0f, alpha_of_empty = 0.0f;
+  for (int i = 0; i < SAMPLES; i++) {
+    const int16 here = ids[i] == NO_ID;
+    empty -= convert_float16(here);
+    through_empty = select(through_empty, through_empty + layers->transmittance[i], here);
+    alpha_of_empty = select(alpha_of_empty, alpha_of_empty + (1.0f - layers->transmittance[i]), here);
+  }
+  float16 alpha = (float)SAMPLES - empty;
+  if (s->frame->has_background) {
+    const ushort4 halves = background_rows(s->frame)[y];
+    const float4 behind = vload_half4(0, (private const half*)&halves);
+    sum.r = through_empty * behind.x;
+    sum.g = through_empty * behind.y;
+    sum.b = through_empty * behind.z;
+    alpha = fma((float16)(behind.w), empty, alpha);
+  } else {
+    alpha += alpha_of_empty;
+  }
+  for (int i = 0; i < SAMPLES; i++) {
+    int16 first = ids[i] != NO_ID;
+    for (int before = 0; before < i; before++) first &= ids[before] != ids[i];
+    if (!any_lane(first)) continue;
+    int16 count = 0, sum_x = 0, sum_y = 0;
+    float16 through = 0.0f;
+    for (int other = i; other < SAMPLES; other++) {
+      const int16 same = ids[other] == ids[i];
+      count -= same;
+      sum_x += same & sample_x[other];
+      sum_y += same & sample_y[other];
+      through = select(through, through + layers->transmittance[other], same);
+    }
+    Pixels p;
+    p.x = (x + LANE) * SUBPIXELS + HALF_PIXEL;
+    p.y = y * SUBPIXELS + HALF_PIXEL;
+    p.centroid_x = mean_offset(sum_x, convert_float16(count));
+    p.centroid_y = mean_offset(sum_y, convert_float16(count));
+    p.centres_are_inside = false;
+    add_color(colors_of_parts(s, &p, ids[i], first), first, through, &sum);
+  }
+  for (int i = 0; i < SAMPLES; i++) {
+    sum.r += layers->red[i];
+    sum.g += layers->green[i];
+    sum.b += layers->blue[i];
+  }
+  store_pixels(sum.r, sum.g, sum.b, alpha, &sums->pixel[row_in_block * TILE_BLOCK]);
+}
+
+static inline void add_up_layered_block(const Shader* s, Tile tile, int block, int rows, const LayeredRow* layers,
+                                        Sums* sums) {
+  sums->mixed_rows = (1u << TILE_BLOCK) - 1;
+  for (int row = 0; row < rows; row++) {
+    uint16 ids[SAMPLES];
+    for (int k = 0; k < SAMPLES; k++) ids[k] = tile.id[vector_in_tile(block, row, k)];
+    sum_up_layered_row(s, ids, tile.x + column_of(block), tile.y + row_of(block) + row, row, &layers[row], sums);
+  }
+}
+#endif
+
 // ---- tiles ----------------------------------------------------------------------------------------------------------
 
 // The colours of one row of a block.
@@ -277,7 +327,12 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
                               global const ClippedPrimitive* restrict clipped,
                               global SampleFragment* restrict sample_fragments, global BinsHeader* restrict bins,
                               global LargeTriangle* restrict large, global uchar* restrict picture,
-                              TILE_MEMORY Depths* tile_depths, TILE_MEMORY uint16* tile_ids) {
+                              TILE_MEMORY Depths* tile_depths, TILE_MEMORY uint16* tile_ids
+#ifdef BLENDS
+                              ,
+                              LayerPlanes* layer_planes, LayeredRow* layered_rows
+#endif
+) {
   if (bins->overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint chunks = frame->chunk_count, number = tile_at(place, tiles, frame);
   Tile tile;
@@ -317,6 +372,12 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
     }
   }
 
+#ifdef BLENDS
+  const BlendedLists lists = {frame, bins, (global Fragment*)sample_fragments, large, number};
+  Layers layers = {layer_planes, layered_rows, 0};
+  find_layers(&layers, &lists, tile, &blocks, large);
+#endif
+
   // ---- 3, 4, 5
   const Lanes content = lanes_of(blocks.content);
   uint blank = 0;
@@ -327,7 +388,9 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   const uint left_as_it_is = mark_blank_blocks(blank, frame, pixels);
   if (frame->writes_ids) {
     store_ids(tile, blocks.content, left_as_it_is, large, ids_of_tile(number - tiles.first, bins, frame));
+#ifndef BLENDS
     if (!(frame->writes_color)) return;
+#endif
   }
 
   const Shader shader = shader_of(frame, draws, indices, vertices, attributes, colors, face_colors, clipped, bins);
@@ -341,8 +404,20 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   const int rows = min(TILE, frame->height - tile.y);
   for (int first = 0; first < rows; first += TILE_BLOCK) {
     const int first_block = first / TILE_BLOCK * TILE_BLOCKS, end = min(first + TILE_BLOCK, rows);
+#ifdef BLENDS
+    blend_strip(&layers, &shader, &lists, tile, &blocks, first / TILE_BLOCK, end - first);
+    if (frame->writes_ids)
+      store_layered_ids(&layers, tile, first / TILE_BLOCK, end - first, ids_of_tile(number - tiles.first, bins, frame));
+    if (!frame->writes_color) continue;
+#endif
     for (int i = 0; i < TILE_BLOCKS; i++) {
       start_block(&columns[i], tile, content.lane[first_block + i], large);
+#ifdef BLENDS
+      if (layers.blocks >> (first_block + i) & 1u) {
+        add_up_layered_block(&shader, tile, first_block + i, end - first, &layers.rows[i * TILE_BLOCK], &sums[i]);
+        continue;
+      }
+#endif
       if (columns[i].content == PER_PIXEL) add_up_block(&shader, tile, first_block + i, end - first, &parts, &sums[i]);
     }
     for (int row = first; row < end; row++)
@@ -363,6 +438,15 @@ kernel void shade_samples(global const FrameConstants* frame, global const DrawC
   TILE_MEMORY Depths tile_depths[TILE_VECTORS];
   TILE_MEMORY uint16 tile_ids[TILE_VECTORS];
   const TileRange tiles = {(uint)get_global_offset(0), (uint)get_global_size(0)};
+#ifdef BLENDS
+  LayerPlanes layer_planes;
+  LayeredRow layered_rows[STRIP_ROWS];
+#endif
   shade_tile((uint)get_global_id(0) - tiles.first, tiles, frame, draws, indices, vertices, attributes, colors,
-             face_colors, clipped, sample_fragments, bins, large, picture, tile_depths, tile_ids);
+             face_colors, clipped, sample_fragments, bins, large, picture, tile_depths, tile_ids
+#ifdef BLENDS
+             ,
+             &layer_planes, layered_rows
+#endif
+  );
 }

@@ -23,6 +23,47 @@
 #include "tile_ids.h"
 #include "tile_pixels.h"
 #include "vector.h"
+#ifdef BLENDS
+#include "layers.h"
+#endif
+
+#ifdef BLENDS
+// One row of a block that layers may lie in front of.
+ALWAYS_INLINE RowColor shade_layered_row(const Shader* s, Tile tile, int block, int row, const LayeredRow* layers,
+                                         TilePixels pixels) {
+  const int at = vector_in_tile(block, row - row_of(block), 0);
+  const uint16 ids = tile.id[at];
+  const int16 background = ids == NO_ID;
+  Pixels p;
+  p.x = tile.x + column_of(block);
+  p.y = tile.y + row;
+  p.depth = tile.depth[at];
+  Rgb color;
+  color.r = color.g = color.b = 0.0f;
+  if (s->frame->writes_color && any_lane(~background)) color = mixed_color(s, p, ids);
+  float16 alpha = select((float16)(1.0f), 1.0f - layers->transmittance[0], background);
+  if (s->frame->has_background) {
+    const ushort4 halves = background_rows(s->frame)[p.y];
+    const float4 behind = vload_half4(0, (private const half*)&halves);
+    color.r = select(color.r, (float16)(behind.x), background);
+    color.g = select(color.g, (float16)(behind.y), background);
+    color.b = select(color.b, (float16)(behind.z), background);
+    alpha = select(alpha, (float16)(behind.w), background);
+  }
+  color.r = color.r * layers->transmittance[0] + layers->red[0];
+  color.g = color.g * layers->transmittance[0] + layers->green[0];
+  color.b = color.b * layers->transmittance[0] + layers->blue[0];
+  if (s->frame->writes_depth) {
+    const int16 nearer = layers->id[0] != NO_ID;
+    const Depths depth = select(p.depth, layers->depth, nearer);
+    const float16 distance = select(eye_distance(s->frame, decoded_depth(depth, s->frame)), (float16)(BACKGROUND_DEPTH),
+                                    background & ~nearer);
+    STREAM_STORE(distance,
+                 (global float16*)(pixels.distance + row * pixels.row_bytes + column_of(block) * sizeof(float)));
+  }
+  return row_color(color, alpha);
+}
+#endif
 
 // One row of a block: stores its distances and returns its colours.
 ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile tile, int first, int row,
@@ -70,7 +111,12 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
                               global const ClippedPrimitive* restrict clipped, global Fragment* restrict fragment_keys,
                               global BinsHeader* restrict bins, global LargeTriangle* restrict large,
                               global uchar* restrict picture, TILE_MEMORY Depths* tile_depths,
-                              TILE_MEMORY uint16* tile_ids) {
+                              TILE_MEMORY uint16* tile_ids
+#ifdef BLENDS
+                              ,
+                              LayerPlanes* layer_planes, LayeredRow* layered_rows
+#endif
+) {
   if (bins->overflow) return;  // the bins are incomplete: the host makes room and starts again
   const uint chunks = frame->chunk_count, number = tile_at(place, tiles, frame);
   Tile tile;
@@ -120,6 +166,11 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
         }
       }
     }
+#ifdef BLENDS
+  const BlendedLists lists = {frame, bins, fragment_keys, large, number};
+  Layers layers = {layer_planes, layered_rows, 0};
+  find_layers(&layers, &lists, tile, &blocks, large);
+#endif
   // What the next work-item begins with.
   const uint next_number = tile_at(place + 1, tiles, frame);
   for (uint chunk = 0; chunk < chunks; chunk++) {
@@ -138,7 +189,9 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   const uint left_as_it_is = mark_blank_blocks(blank, frame, pixels);
   if (frame->writes_ids) {
     store_ids(tile, blocks.content, left_as_it_is, large, ids_of_tile(number - tiles.first, bins, frame));
+#ifndef BLENDS
     if (!(frame->writes_color | frame->writes_depth)) return;
+#endif
   }
 
   const Shader shader = shader_of(frame, draws, indices, vertices, attributes, colors, face_colors, clipped, bins);
@@ -151,10 +204,24 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
   for (int first_row = 0; first_row < rows; first_row += TILE_BLOCK) {
     const int first_block = first_row / TILE_BLOCK * (TILE / TILE_BLOCK);
     for (int i = 0; i < TILE / TILE_BLOCK; i++) start_block(&columns[i], tile, content.lane[first_block + i], large);
+#ifdef BLENDS
+    blend_strip(&layers, &shader, &lists, tile, &blocks, first_row / TILE_BLOCK, min(TILE_BLOCK, rows - first_row));
+    if (frame->writes_ids)
+      store_layered_ids(&layers, tile, first_row / TILE_BLOCK, min(TILE_BLOCK, rows - first_row),
+                        ids_of_tile(number - tiles.first, bins, frame));
+    if (!(frame->writes_color | frame->writes_depth)) continue;
+#endif
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
       for (int i = 0; i < TILE / TILE_BLOCK; i++) {
         if (left_as_it_is >> (first_block + (i & ~1)) & 1u) continue;
+#ifdef BLENDS
+        const RowColor color = layers.blocks >> (first_block + i) & 1u
+                                   ? shade_layered_row(&shader, tile, first_block + i, row,
+                                                       &layers.rows[i * TILE_BLOCK + (row - first_row)], pixels)
+                                   : shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, pixels);
+#else
         const RowColor color = shade_row_of_block(&shader, &columns[i], tile, i * TILE_BLOCK, row, pixels);
+#endif
         if (i & 1 && frame->writes_color) store_colors(left, color, pixels, (i - 1) * TILE_BLOCK, row);
         left = color;
       }
@@ -169,6 +236,15 @@ kernel void shade_tiles(global const FrameConstants* frame, global const DrawCon
   TILE_MEMORY Depths tile_depths[TILE_VECTORS];
   TILE_MEMORY uint16 tile_ids[TILE_VECTORS];
   const TileRange tiles = {(uint)get_global_offset(0), (uint)get_global_size(0)};
+#ifdef BLENDS
+  LayerPlanes layer_planes;
+  LayeredRow layered_rows[STRIP_ROWS];
+#endif
   shade_tile((uint)get_global_id(0) - tiles.first, tiles, frame, draws, indices, vertices, attributes, colors,
-             face_colors, clipped, fragment_keys, bins, large, picture, tile_depths, tile_ids);
+             face_colors, clipped, fragment_keys, bins, large, picture, tile_depths, tile_ids
+#ifdef BLENDS
+             ,
+             &layer_planes, layered_rows
+#endif
+  );
 }

@@ -76,8 +76,13 @@ ALWAYS_INLINE global uint* vertex_chunk_status(global BinsHeader* bins, global c
 
 // The ids of a tile, by its place in the band being drawn.
 ALWAYS_INLINE global TileIds* ids_of_tile(uint place, global BinsHeader* bins, global const FrameConstants* frame) {
-  const size_t bytes = sizeof(TileIds) + TILE * TILE * sizeof(uint) * channel_constants(frame)->samples;
+  const size_t words = channel_constants(frame)->samples + (frame->blends ? 1 : 0);
+  const size_t bytes = sizeof(TileIds) + TILE * TILE * sizeof(uint) * words;
   return (global TileIds*)((global char*)bins + frame->bins.ids + place * bytes);
+}
+
+ALWAYS_INLINE global float* coverage_of_tile(global TileIds* ids, uint samples) {
+  return (global float*)((global uint*)(ids + 1) + TILE * TILE * samples);
 }
 
 #if SAMPLES == 1
@@ -93,6 +98,7 @@ typedef struct {
   global Fragment* fragments;
   global ushort* fragment_places;  // row << TILE_BITS | column in the tile; of one sample a pixel
   global uint *entry_heads, *entry_next;
+  global uint *blended_fragment_heads, *blended_entry_heads;  // lists of blended draws, on the same pages
   global uint* entry_triangles;  // index into the chunk's large triangles, perhaps with ENTIRE_TILE
   global LargeTriangle* large;
 } ChunkBins;
@@ -108,6 +114,8 @@ ALWAYS_INLINE ChunkBins bins_of_chunk(uint chunk, global const FrameConstants* f
   own.fragments = fragments + fragment_page * PAGE;
   own.fragment_places = (global ushort*)(bytes + frame->bins.fragment_places) + fragment_page * PAGE;
   own.entry_heads = (global uint*)(bytes + frame->bins.entry_heads) + tile;
+  own.blended_fragment_heads = (global uint*)(bytes + frame->bins.blended_fragment_heads) + tile;
+  own.blended_entry_heads = (global uint*)(bytes + frame->bins.blended_entry_heads) + tile;
   own.entry_next = (global uint*)(bytes + frame->bins.entry_next) + entry_page;
   own.entry_triangles = (global uint*)(bytes + frame->bins.entry_triangles) + entry_page * PAGE;
   own.large = large + (size_t)chunk * frame->large_capacity;

@@ -14,6 +14,7 @@ COMPILED_ONCE void store_ids(Tile tile, uint16 content, uint left_as_it_is, glob
   const Lanes of_block = lanes_of(content);
   global uint16* ids = (global uint16*)(out + 1);
   out->left_as_it_is = left_as_it_is;
+  out->layered = 0;
   for (int block = 0; block < LANES; block++) {
     const uint held = of_block.lane[block];
     out->content[block] = held == CLEAR ? NO_ID : held == PER_PIXEL ? MIXED_IDS : large[held].id;

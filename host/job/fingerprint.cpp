@@ -121,9 +121,10 @@ class SceneHasher {
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
-    const auto& [base_color, shading, double_sided, line_width, own_name] = material;
+    const auto& [base_color, shading, double_sided, line_width, own_name, alpha_mode, alpha_cutoff] = material;
     add_all(mesh, node, base_color, shading, double_sided, morph);
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
+    if (alpha_mode != AlphaMode::blend) add_all(std::string_view("alpha_mode"), alpha_mode, alpha_cutoff);
   }
   void add(const ImageSettings& image) {
     const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error,

@@ -45,12 +45,19 @@ std::vector<std::int64_t> frame_numbers(const std::vector<FrameRange>& ranges);
 // Light. unlit: base colour times vertex colours. wireframe: lines in the base colour alone.
 enum class Shading { flat, smooth, unlit, wireframe };
 
+// What becomes of alpha, that of the base colour times that of the vertices. blend: what lies behind shows through
+// where it is less than 1; exactly so in each sample, whatever the order of objects. mask: the surface is there, and
+// opaque, where alpha is at least Material::alpha_cutoff. opaque: alpha is not used.
+enum class AlphaMode { blend, mask, opaque };
+
 struct Material {
-  glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear; alpha is not used: what is drawn is opaque
+  glm::dvec4 base_color{0.8, 0.8, 0.8, 1.0};  // linear; alpha from 0 to 1, colours are not multiplied by it
   Shading shading = Shading::smooth;          // smooth on a mesh without normals: each face has its own, lit per pixel
   bool double_sided = false;                  // false: back faces are culled; true: drawn, and lit from their side
   double line_width = 1;                      // of wireframe, pixels, more than 0 to max_line_width
   std::string name = {};                      // "": the object's; materials of one name are one (material_names())
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;  // of AlphaMode::mask
 };
 constexpr double max_line_width = 256;
 
@@ -107,7 +114,9 @@ struct ModelPart {
 struct Scene {
   std::string name;  // stem of the file, used for the default output pattern
   std::vector<Mesh> meshes;
-  std::vector<Object> objects;  // drawn in this order; equal depths: the earlier one wins
+  // Drawn in this order. Equal depths: of opaque surfaces the earlier one shows, a transparent one lies over all
+  // before.
+  std::vector<Object> objects;
   Timeline timeline;
   ImageSettings image;
   // The error of a vertex's place in the picture, in pixels, that plans are to keep; 0: none is stated, vertices are

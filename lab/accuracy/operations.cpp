@@ -28,7 +28,8 @@ std::vector<Operation> all_operations() {
           spring_chain(),
           point_in_polygon(),
           whole_frame(),
-          antialiasing()};
+          antialiasing(),
+          blending()};
 }
 
 }  // namespace morphcl::accuracy

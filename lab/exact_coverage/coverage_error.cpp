@@ -208,6 +208,7 @@ Scene scene_for_coverage(Scene scene) {
   scene.image.channels = (scene.image.channels & default_channels) | ChannelSet{Channel::color};
   scene.image.p_error = scene.image.n_error = 0;
   scene.image.samples = sample_counts.back();
+  for (Object& object : scene.objects) object.material.alpha_mode = AlphaMode::opaque;
   return scene;
 }
 

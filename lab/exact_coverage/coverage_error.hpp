@@ -72,7 +72,8 @@ struct CoverageWork {
   const std::atomic<bool>* stop = nullptr;          // set: Error(interrupted)
 };
 
-// The plan that coverage is measured by: colour, and as many samples as there are, whatever the scene says.
+// The plan that coverage is measured by: colour, as many samples as there are, and opaque surfaces, whatever the scene
+// says.
 Scene scene_for_coverage(Scene scene);
 
 // `plan` is one of scene_for_coverage(). The same numbers for any number of threads. Errors: those of ExactCoverage.

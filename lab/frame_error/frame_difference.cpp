@@ -170,6 +170,8 @@ void check_comparable(const FramePlan& plan) {
     throw Error(ErrorKind::usage, "",
                 fmt::format("an image of {} x {} pixels; at most {}, as 8192 x 8192 has, are compared", plan.width,
                             plan.height, max));
+  if (plan.blends)
+    throw Error(ErrorKind::usage, "", "some surface is transparent; surfaces are compared with AlphaMode::opaque");
 }
 
 FrameDifference compare_with_fp64(const Scene& scene, const FramePlan& plan, const FrameBuffer& pixels,

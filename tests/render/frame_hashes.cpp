@@ -1,8 +1,8 @@
-// frame_hashes WIDTH HEIGHT [reference] [small] [samplesN] [channels] [FORMAT]: one line a frame of every test scene,
-// "hash SCENE/FRAME", drawn by a process of its own under the environment that a test gives it. FORMAT: the name of a
-// depth buffer; vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a device that
-// is interpreted. samplesN: N samples a pixel. channels: all that there are, of scenes that move. An Error is printed
-// and its exit code is the process's.
+// frame_hashes WIDTH HEIGHT [reference] [small] [transparent] [samplesN] [channels] [FORMAT]: one line a frame of every
+// test scene, "hash SCENE/FRAME", drawn by a process of its own under the environment that a test gives it. FORMAT: the
+// name of a depth buffer; vertices are then drawn in their most accurate forms as well. small: fewer triangles, for a
+// device that is interpreted. transparent: with alpha. samplesN: N samples a pixel. channels: all that there are, of
+// scenes that move. An Error is printed and its exit code is the process's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +25,8 @@ int main(int count, char** values) {
     const std::vector<std::string> more(values + 3, values + count);
     const bool reference = std::find(more.begin(), more.end(), "reference") != more.end();
     const bool small = std::find(more.begin(), more.end(), "small") != more.end();
+    const bool blends = std::find(more.begin(), more.end(), "transparent") != more.end();
+    unsigned seed = 0;
     const bool with_all = std::find(more.begin(), more.end(), "channels") != more.end();
     int samples = 1;
     for (const int known : sample_counts)
@@ -33,6 +35,7 @@ int main(int count, char** values) {
     const std::shared_ptr<Session> session = reference ? nullptr : Session::open({});
     const auto renderer = reference ? make_reference_renderer() : make_device_renderer(session);
     for (test::TestScene& scene : test::test_scenes(width, height, small ? 300 : 3000)) {
+      if (blends) scene.scene = test::transparent(std::move(scene.scene), seed++);
       if (with_all) scene.scene = test::with_channels(scene.scene, every_channel);
       scene.scene.image.samples = samples;
       if (format) {

@@ -7,6 +7,7 @@
 #include "morphcl/solids.hpp"
 #include "morphcl/transform.hpp"
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/random.hpp"
 
 namespace morphcl::test {
 
@@ -347,6 +348,20 @@ std::vector<TestScene> test_scenes(int w, int h, int more_soup) {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 7u})
     scenes.push_back({"soup " + std::to_string(seed), triangle_soup(seed, seed == 1 ? 3000 : more_soup, w, h), {0}});
   return scenes;
+}
+
+Scene transparent(Scene scene, unsigned seed) {
+  test_support::Random random(seed);
+  for (Object& object : scene.objects) {
+    if (random.in(0, 1) < 0.5) object.material.base_color.a = random.in(0.1, 1);
+    Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+    if (random.in(0, 1) < 0.3) {
+      if (mesh.colors.empty()) mesh.colors.assign(mesh.positions.size(), glm::vec4(1));
+      for (glm::vec4& color : mesh.colors) color.a = static_cast<float>(random.in(0, 1));
+      if (random.in(0, 1) < 0.5) object.material.alpha_mode = AlphaMode::mask;
+    }
+  }
+  return scene;
 }
 
 }  // namespace morphcl::test

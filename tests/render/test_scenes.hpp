@@ -24,4 +24,7 @@ Scene triangle_soup(unsigned seed, int triangles, int width, int height);
 // The pyramid that becomes a box in steps 0 to 100, lit flat, while it turns.
 Scene pyramid_to_cube(int width, int height);
 
+// About half of its objects let through what lies behind them, some of them at each vertex differently.
+Scene transparent(Scene scene, unsigned seed);
+
 }  // namespace morphcl::test

@@ -50,11 +50,20 @@ TEST_F(GltfLooks, FactorsBeyondTheirRangeAreClamped) {
   }
 }
 
-TEST_F(GltfLooks, AlphaIsNamedOrHides) {
+TEST_F(GltfLooks, AlphaBlendsMasksOrHides) {
   expect_one_warning(import(with_alpha("OPAQUE", 0)), "");
   expect_one_warning(import(with_alpha("BLEND", 1)), "");
-  expect_one_warning(import(with_alpha("BLEND", 0.5)), "not drawn: transparency");
-  expect_one_warning(import(with_alpha("MASK", 0.5)), "not drawn: alpha masks");
+  const auto material = [&](const char* mode, double alpha) {
+    const ImportedModel model = import(with_alpha(mode, alpha));
+    expect_one_warning(model, "");
+    return model.objects.at(0).material;
+  };
+  EXPECT_EQ(material("OPAQUE", 0.5).base_color.a, 1);
+  EXPECT_EQ(material("BLEND", 0.5).base_color.a, 0.5);
+  EXPECT_EQ(material("BLEND", 0.5).alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(material("MASK", 0.75).base_color.a, 0.75);
+  EXPECT_EQ(material("MASK", 0.75).alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(material("MASK", 0.75).alpha_cutoff, 0.5);
   EXPECT_EQ(import(with_alpha("OPAQUE", 0)).objects.size(), 1u);
   EXPECT_TRUE(import(with_alpha("BLEND", 0)).objects.empty());
   EXPECT_TRUE(import(with_alpha("MASK", 0.25)).objects.empty());

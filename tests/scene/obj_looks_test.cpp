@@ -128,8 +128,10 @@ TEST_F(ObjLooks, MaterialValuesBeyondTheirRange) {
     EXPECT_EQ(material(with("Kd " + broken + "\n")).base_color, Material{}.base_color) << broken;
     expect_warning(with("Kd " + broken + "\n"), "the default colour is used");
   }
-  expect_warning(with("Kd 1 0 0\nKe 1 1 1\nmap_Kd a.png\nd 0.5\n"),
-                 "not drawn: emission, textures, transparency of red");
+  expect_warning(with("Kd 1 0 0\nKe 1 1 1\nmap_Kd a.png\nd 0.5\n"), "not drawn: emission, textures");
+  EXPECT_EQ(material(with("Kd 1 0 0\nd 0.5\n")).base_color, glm::dvec4(1, 0, 0, 0.5));
+  EXPECT_EQ(material(with("Kd 1 0 0\nTr 0.25\n")).base_color, glm::dvec4(1, 0, 0, 0.75));
+  EXPECT_EQ(material(with("d 0.5\n")).base_color, glm::dvec4(0.8, 0.8, 0.8, 0.5));
   expect_warning(with("Kd 1 0 0\nKe 0 0 0\nd 1\nTr 1\n"), "");
   for (const std::string gone : {"d 0.0", "d -halo 0", "Tr 1"}) {
     expect_warning(with(gone + "\n"), "alpha is 0 (d 0 or Tr 1), so nothing is drawn of red");

@@ -73,6 +73,7 @@ struct KernelVariant {
   DepthFormat depth_format;
   int samples;
   bool depth;
+  bool blends;
   bool channels, velocity;  // beside colour and distance
 };
 
@@ -84,6 +85,7 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const Kerne
   plan.depth_format = variant.depth_format;
   plan.samples = variant.samples;
   plan.channels.set(Channel::depth, variant.depth);
+  plan.blends = variant.blends;
   plan.channels.set(Channel::coverage, variant.channels);
   plan.channels.set(Channel::velocity, variant.velocity);
   plan.keeps_vertices = plan.keeps_blank_tiles = false;
@@ -98,14 +100,16 @@ FramePlan sample_plan(const Mesh& mesh, Shading shading, bool clips, const Kerne
 }
 
 KernelVariant variant_of(const FrameKernels& kernels) {
-  KernelVariant variant{DepthFormat::reversed_float, 1, false, false, false};
+  KernelVariant variant{DepthFormat::reversed_float, 1, false, false, false, false};
   for (const FrameKernel& kernel : kernels)
     for (const DepthFormat format : depth_formats)
-      for (const int samples : sample_counts) {
-        if (kernel.options != kernel_options(format, samples)) continue;
-        variant.depth_format = format;
-        variant.samples = std::max(variant.samples, samples);
-      }
+      for (const int samples : sample_counts)
+        for (const bool blends : {false, true}) {
+          if (kernel.options != kernel_options(format, samples, blends)) continue;
+          variant.depth_format = format;
+          variant.samples = std::max(variant.samples, samples);
+          variant.blends = variant.blends || blends;
+        }
   for (const FrameKernel& kernel : kernels) {
     variant.channels |= kernel.name == "shade_channels";
     variant.velocity |= kernel.name == "project_next";
@@ -126,7 +130,7 @@ FrameKernels frame_kernels(const FramePlan& plan) {
       std::any_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) { return draw.shading == Shading::flat; });
   FrameKernels kernels;
   if (several) {
-    kernels.insert({"shade_samples", "shade_samples", sampled});
+    kernels.insert({"shade_samples", "shade_samples", kernel_options(plan.depth_format, plan.samples, plan.blends)});
     kernels.insert({"bin_samples",
                     fused   ? "project_light_and_bin_samples"
                     : faces ? "light_and_bin_samples"
@@ -140,7 +144,8 @@ FrameKernels frame_kernels(const FramePlan& plan) {
                             : "bin_primitives",
                     options});
   }
-  if (!several || draws_centres(plan)) kernels.insert({"shade_tiles", "shade_tiles", options});
+  if (!several || draws_centres(plan))
+    kernels.insert({"shade_tiles", "shade_tiles", kernel_options(plan.depth_format, 1, plan.blends)});
   if (!(plan.channels & (channels_of_samples | channels_of_centres)).empty())
     kernels.insert({"shade_channels", "shade_channels", options});
   if (plan.has(Channel::velocity)) kernels.insert({"project_next", "project_next", options});

@@ -97,7 +97,8 @@ std::size_t max_tile_rows(const FramePlan& plan) {
              of_centres = !(plan.channels & channels_of_centres).empty();
   if (!of_samples && !of_centres) return std::numeric_limits<std::size_t>::max();
   const auto tiles_x = static_cast<std::size_t>((plan.width + layout::tile - 1) / layout::tile);
-  return std::max<std::size_t>(max_id_bytes / (tiles_x * ids_bytes_of_tile(of_samples ? plan.samples : 1)), 1);
+  return std::max<std::size_t>(max_id_bytes / (tiles_x * ids_bytes_of_tile(of_samples ? plan.samples : 1, plan.blends)),
+                               1);
 }
 
 }  // namespace morphcl

@@ -23,10 +23,10 @@ struct ChannelTables {
 void make_channel_tables(const FramePlan& plan, const std::vector<layout::DrawConstants>& draws,
                          const MeshStore& meshes, const RawFrame& picture, ChannelTables& tables);
 
-// Bytes of a tile's table of ids.
-constexpr std::size_t ids_bytes_of_tile(int samples) {
-  return sizeof(layout::TileIds) +
-         std::size_t{layout::tile} * layout::tile * static_cast<std::size_t>(samples) * sizeof(layout::uint);
+// Bytes of a tile's table of ids, and of the coverage behind it where some draw is blended.
+constexpr std::size_t ids_bytes_of_tile(int samples, bool blends) {
+  const std::size_t words = static_cast<std::size_t>(samples) + (blends ? 1 : 0);
+  return sizeof(layout::TileIds) + std::size_t{layout::tile} * layout::tile * words * sizeof(layout::uint);
 }
 
 // Of tiles that leave tables of ids at one time: so many that the tables take 64 MB, and a row of tiles at least.

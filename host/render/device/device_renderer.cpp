@@ -29,8 +29,16 @@ using layout::uint;
 
 constexpr std::size_t no_band_limit = std::numeric_limits<std::size_t>::max();
 
-// Of the private memory of shade_samples: depth and id of each sample of a tile.
-constexpr std::size_t tile_bytes_of_sample = std::size_t{layout::tile} * layout::tile * 2 * sizeof(uint);
+// The private memory of a kernel that shades: depth and id of each sample of a tile, of one sample in local memory or
+// small enough; and where draws are blended what kernels/layers.h keeps of a row of blocks, LayerPlanes and LayeredRow.
+std::size_t stack_bytes(int samples, bool blends) {
+  constexpr std::size_t tile_pixels = std::size_t{layout::tile} * layout::tile, word = sizeof(uint);
+  const auto count = static_cast<std::size_t>(samples);
+  const std::size_t strip = std::size_t{layout::tile} * layout::tile_block * count;
+  const std::size_t planes = LAYER_PLANES(count), sums = 4;
+  return (samples == 1 && !blends ? 0 : tile_pixels * count * 2 * word) +
+         (blends ? strip * ((planes + 1) * 2 + sums + 2) * word : 0);
+}
 
 class DeviceRenderer : public Renderer {
  public:
@@ -54,7 +62,8 @@ class DeviceRenderer : public Renderer {
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
     depth_format_ = plan.depth_format;
-    if (plan.samples > 1) check_stack_limit(tile_bytes_of_sample * static_cast<std::size_t>(plan.samples));
+    blends_ = plan.blends;
+    if (const std::size_t bytes = stack_bytes(plan.samples, plan.blends); bytes > 0) check_stack_limit(bytes);
     const DevicePicture picture = pictures_.picture(frame, max_tile_rows(plan));
     FinishAtExit finish_before_tables_go(queue());
     memory_.start(plan, picture);
@@ -86,7 +95,7 @@ class DeviceRenderer : public Renderer {
     channels_ = channels;
     constants.writes_ids = !channels.empty();
     const std::size_t id_bytes =
-        channels.empty() ? 0 : std::size_t{picture.bands.front().tiles} * ids_bytes_of_tile(samples);
+        channels.empty() ? 0 : std::size_t{picture.bands.front().tiles} * ids_bytes_of_tile(samples, blends_);
     for (bool drawn = false, first = first_pass; !drawn; first = false) {
       const bool stays = make_room(pools, constants, id_bytes);
       const FrameMemory::Changes changes = first || !stays ? memory_.changes() : FrameMemory::Changes{};
@@ -117,12 +126,14 @@ class DeviceRenderer : public Renderer {
 
   struct KernelName {
     const char *stage, *name;
+    bool shades = false;
   };
 
   const Kernel& kernel(KernelName of, int samples) {
-    Kernel& found = kernels_[{depth_format_, samples, of.name}];
+    const bool blends = blends_ && of.shades;
+    Kernel& found = kernels_[{depth_format_, samples, blends, of.name}];
     if (found) return found;
-    const FrameKernel wanted{of.stage, of.name, kernel_options(depth_format_, samples)};
+    const FrameKernel wanted{of.stage, of.name, kernel_options(depth_format_, samples, blends)};
     if (before_first_) before_first_(wanted);
     return found = kernel_of(*session_, kernel_source(of.stage), of.name, wanted.options);
   }
@@ -291,7 +302,7 @@ class DeviceRenderer : public Renderer {
              cl::NDRange(1), frame_.buffer(), memory_.draws().buffer(), memory_.targets().buffer(),
              memory_.meshes().mesh_data(), motion_);
     for (const DevicePicture::Band& band : picture.bands) {
-      with_fragments({"shade_tiles", "shade_tiles"}, {"shade_samples", "shade_samples"},
+      with_fragments({"shade_tiles", "shade_tiles", true}, {"shade_samples", "shade_samples", true},
                      [&](const Kernel& pixels, const auto& fragments) {
                        launch(queue(), pixels, FirstItem{band.first_tile}, cl::NDRange(band.tiles), cl::NDRange(1),
                               frame_.buffer(), memory_.draws().buffer(), memory_.meshes().indices(), vertices_,
@@ -333,9 +344,10 @@ class DeviceRenderer : public Renderer {
   FrameMemory memory_;
   BinPools pools_, sample_pools_;                           // of one sample a pixel, of several
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
-  int samples_ = 1;                                         // of its pass being drawn
-  ChannelSet channels_;                                     // that it makes beside colour and distance
-  std::map<std::tuple<DepthFormat, int, std::string>, Kernel> kernels_;
+  bool blends_ = false;
+  int samples_ = 1;      // of its pass being drawn
+  ChannelSet channels_;  // that it makes beside colour and distance
+  std::map<std::tuple<DepthFormat, int, bool, std::string>, Kernel> kernels_;
   DevicePictures pictures_;
   TableBuffer<buffers::Frame, frame_tables> frame_{context_of(*session_)};
   DeviceBuffer<buffers::Vertices> vertices_{context_of(*session_)};
@@ -357,10 +369,11 @@ class DeviceRenderer : public Renderer {
 
 // Kernels are compiled for one depth buffer and one pattern of samples; those for the defaults know nothing of the
 // others.
-std::string kernel_options(DepthFormat format, int samples) {
+std::string kernel_options(DepthFormat format, int samples, bool blends) {
   std::string options;
   if (format != DepthFormat::reversed_float) options += fmt::format(" -DDEPTH_FORMAT={}", static_cast<int>(format));
   if (samples != 1) options += fmt::format(" -DSAMPLES={}", samples);
+  if (blends) options += " -DBLENDS";
   return options;
 }
 

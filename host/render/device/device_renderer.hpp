@@ -27,7 +27,8 @@ struct FrameKernel {
 using BeforeFirstUse = std::function<void(const FrameKernel&)>;
 std::unique_ptr<Renderer> make_device_renderer(std::shared_ptr<Session> session, BeforeFirstUse before_first);
 
-// The options of kernels for a depth buffer and so many samples a pixel.
-std::string kernel_options(DepthFormat format, int samples);
+// The options of kernels for a depth buffer and so many samples a pixel. `blends`: some draw is blended; of kernels
+// that shade, the others do not know the difference.
+std::string kernel_options(DepthFormat format, int samples, bool blends = false);
 
 }  // namespace morphcl

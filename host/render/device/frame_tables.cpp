@@ -37,6 +37,7 @@ uint draw_flags(const Draw& draw) {
   if (draw.mirrored) flags |= DRAW_MIRRORED;
   if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
   if (draw.lit_per_pixel) flags |= DRAW_LIT_PER_PIXEL;
+  if (draw.blended) flags |= DRAW_BLENDED;
   if (draw.normals == NormalSource::vertices) flags |= DRAW_VERTEX_NORMALS;
   if (draw.normals == NormalSource::faces) flags |= DRAW_FACE_NORMALS;
   if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
@@ -75,6 +76,7 @@ layout::DrawConstants make_draw_constants(const Draw& draw, const StoredMesh& me
   constants.target_count = static_cast<uint>(draw.targets.size());
   constants.precise = static_cast<uint>(tables.precise.size());
   constants.line_width = draw.line_width;
+  constants.alpha_cutoff = draw.alpha_cutoff;
   return constants;
 }
 
@@ -123,6 +125,7 @@ layout::FrameConstants make_frame_constants(const FramePlan& plan, const DeviceP
   frame.clips = plan.clips;
   frame.divides = plan.divides;
   frame.tests_depth = plan.tests_depth;
+  frame.blends = plan.blends;
   frame.has_background = plan.background != nullptr;
   frame.keeps_blank_tiles = plan.keeps_blank_tiles && !plan.background;
   return frame;
@@ -183,7 +186,7 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
     tables.any_attributes |= draw.normals != NormalSource::none;
-    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors && !draw.lit_per_pixel;
+    tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors && !draw.lit_per_pixel && !draw.blended;
   }
   tables.any_attributes |= tables.any_flat || tables.any_smooth;
   order_by_distance(distances, tables.draws);

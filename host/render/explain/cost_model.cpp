@@ -53,6 +53,7 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
   costs.draws = ms * (model.draw * work.draws + model.triangle * work.triangles + model.span * spans +
                       model.covered_pixel * covered) +
                 vertices;
+  costs.blending = ms * model.blended_pixel * work.blended_share * covered * plan.samples;
   const double of_samples =
       ms * (model.sample_triangle * work.triangles + model.sample_span * spans + model.line * work.lines);
   costs.samples = plan.samples > 1 ? of_samples * plan.samples : 0;
@@ -76,8 +77,8 @@ FrameCosts estimate_costs(const FramePlan& plan, const Workload& work, const Ski
 
   costs.everything = of_channels + ms * model.frame + costs.depth_format + costs.precise_vertices +
                      (plan.has_color() ? costs.color : 0) + (plan.has_depth() ? costs.depth : 0) + costs.draws +
-                     costs.targets + costs.elastic + costs.normals + costs.colors + costs.face_light + costs.lights +
-                     costs.lines + (plan.clips ? costs.clipping : 0) + costs.samples +
+                     costs.targets + costs.elastic + costs.normals + costs.colors + costs.blending + costs.face_light +
+                     costs.lights + costs.lines + (plan.clips ? costs.clipping : 0) + costs.samples +
                      (plan.samples > 1 && draws_centres(plan) ? costs.centres : 0) + (plan.divides ? costs.divide : 0) +
                      (plan.tests_depth ? costs.depth_test : 0);
   return costs;

@@ -30,6 +30,7 @@ struct CostModel {
   double span = 6.0, smooth_span = 9.0;             // a triangle in a row of pixels; the same, smoothly lit
   double tinted_pixel = 0.30;                       // vertex colours: a pixel
   double byte = 0.02;                               // of a pixel written
+  double blended_pixel = 1.2;                       // a layer at a sample: sorted, shaded, blended
   double sample_span = 2.0, sample_triangle = 0.5;  // the same as span and triangle, for a sample of several
   // Channels beside colour and distance: tables of ids, a pixel or sample that something covers; a place in a
   // primitive, a covered pixel and a span; what is summed up there, a plane of a covered pixel and of a span; a sample
@@ -47,6 +48,7 @@ struct FrameCosts {
   double lights, normals, face_light, colors, lines;
   double clipping, divide, depth_test, depth_format, precise_vertices;
   double vertices;                             // everything that a frame with the same vertices need not do again
+  double blending;                             // layers: sorted, shaded, blended
   double samples;                              // what several samples a pixel take more than one
   double centres;                              // beside them: to find what is at the pixels' centres
   std::array<double, channel_count> channels;  // each beside colour and distance

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
 #include "host/render/explain/accuracy_notes.hpp"
@@ -11,6 +13,7 @@
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/single_cover.hpp"
+#include "host/render/plan/transparency.hpp"
 #include "morphcl/explain.hpp"
 #include "morphcl/numerics.hpp"
 
@@ -23,7 +26,7 @@ std::string plural(std::size_t count, const std::string& what) {
 }
 
 struct Counts {
-  std::size_t hidden = 0, empty = 0, outside = 0;
+  std::size_t hidden = 0, empty = 0, transparent = 0, outside = 0;
   std::size_t used_targets = 0, idle_targets = 0;  // of the draws, by weight
 };
 
@@ -31,12 +34,16 @@ Counts count(const Scene& scene, const FramePlan& plan) {
   Counts counts;
   NodeSampler nodes(scene.timeline.nodes);
   nodes.go_to(tick_of(scene.timeline.time, plan.frame));
+  const std::vector<bool> vertex_alpha = meshes_with_alpha(scene);
   for (const Object& object : scene.objects)
     if (!has_primitives(object, scene.meshes[object.mesh]))
       ++counts.empty;
+    else if (transparency_of(object.material, vertex_alpha[static_cast<std::size_t>(object.mesh)], plan.channels) ==
+             Transparency::whole)
+      ++counts.transparent;
     else if (!nodes.is_visible(object.node))
       ++counts.hidden;
-  counts.outside = scene.objects.size() - counts.empty - counts.hidden - plan.draws.size();
+  counts.outside = scene.objects.size() - counts.empty - counts.transparent - counts.hidden - plan.draws.size();
   for (const Draw& draw : plan.draws) {
     std::size_t used = 0;
     for (const ActiveTarget& target : draw.targets) used += target.weight != 0.0f;
@@ -167,6 +174,8 @@ class Notes {
       note("objects out of view", false, plural(counts_.outside, "object") + ": their bounds miss the view",
            share(counts_.outside));
     if (counts_.hidden) note("hidden objects", false, plural(counts_.hidden, "object"), share(counts_.hidden));
+    if (counts_.transparent)
+      note("transparent objects", false, plural(counts_.transparent, "object") + " of which alpha shows nothing", 0);
     if (counts_.empty) note("empty objects", false, plural(counts_.empty, "object") + " without anything to draw", 0);
   }
 
@@ -227,7 +236,12 @@ class Notes {
                              : no_color,
          costs_.colors);
     note("lines", lines, lines ? "wireframe shading" : "no wireframe shading", costs_.lines);
-    note("blending", false, "surfaces are opaque: the nearest one shows", 0);
+    const auto blended = static_cast<std::size_t>(
+        std::count_if(plan_.draws.begin(), plan_.draws.end(), [](const Draw& draw) { return draw.blended; }));
+    note("blending", plan_.blends,
+         plan_.blends ? plural(blended, "object") + " with alpha below 1: sorted in each sample, from the front"
+                      : "surfaces are opaque: the nearest one shows",
+         costs_.blending);
   }
 
   void stages() {

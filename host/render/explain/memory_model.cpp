@@ -90,6 +90,7 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   constants.vertex_group_count = static_cast<layout::uint>(totals.vertices / layout::lanes);
   constants.primitive_group_count = static_cast<layout::uint>(totals.primitives / layout::lanes);
   constants.clips = plan.clips;
+  constants.blends = plan.blends;
   BinPools pools;
   const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
   if (plan.samples > 1) add(need.bins, sizes.sample_fragments, "samples of small triangles");

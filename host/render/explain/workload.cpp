@@ -43,7 +43,7 @@ void count_elastic(const DisplacedPositions& shape, Workload& work) {
 
 Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
   Workload work;
-  double smooth = 0, tinted = 0;
+  double smooth = 0, tinted = 0, blended = 0;
   for (const Draw& draw : plan.draws) {
     const auto vertices = static_cast<double>(draw.mesh->positions.size());
     const auto triangles = static_cast<double>(draw.mesh->triangles.size());
@@ -58,6 +58,7 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
       continue;
     }
     work.triangles += triangles;
+    if (draw.blended) blended += triangles;
     if (draw.shading == Shading::smooth) {
       work.smooth_vertices += vertices;
       smooth += triangles;
@@ -71,6 +72,7 @@ Workload count_work(const FramePlan& plan, const ScreenReach& reach) {
   if (work.triangles > 0) {
     work.smooth_share = smooth / work.triangles;
     work.tinted_share = tinted / work.triangles;
+    work.blended_share = blended / work.triangles;
   }
   work.lights = static_cast<double>(plan.lights.size());
   work.pixels = static_cast<double>(plan.width) * plan.height;

@@ -17,8 +17,9 @@ struct Workload {
   double modes = 0, modal_pairs = 0;                  // of elastic objects in modes; with each mass
   double stepped_masses = 0;                          // of elastic objects in steps
   double lights = 0;
-  double smooth_share = 0, tinted_share = 0;  // of all triangles: those lit in every pixel, those with vertex colours
-  double pixels = 0, reached_pixels = 0;      // of the picture; in tiles that an object may touch
+  // Of all triangles: those lit in every pixel, those with vertex colours, those that are blended.
+  double smooth_share = 0, tinted_share = 0, blended_share = 0;
+  double pixels = 0, reached_pixels = 0;  // of the picture; in tiles that an object may touch
   double bytes_per_pixel = 0;
 };
 

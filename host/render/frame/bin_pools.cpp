@@ -58,6 +58,9 @@ BinSizes lay_out(const BinPools& pools, layout::FrameConstants& constants, std::
   bins.chunk_status = offsets.take(chunks * sizeof(layout::ChunkStatus));
   bins.fragment_heads = offsets.take(chunks * tiles * sizeof(uint));
   bins.entry_heads = offsets.take(chunks * tiles * sizeof(uint));
+  const std::size_t blended_tiles = constants.blends ? tiles : 0;
+  bins.blended_fragment_heads = offsets.take(chunks * blended_tiles * sizeof(uint));
+  bins.blended_entry_heads = offsets.take(chunks * blended_tiles * sizeof(uint));
   bins.fragment_next = offsets.take(fragment_pages * sizeof(uint));
   bins.entry_next = offsets.take(entry_pages * sizeof(uint));
   bins.entry_triangles = offsets.take(entry_pages * layout::page * sizeof(uint));

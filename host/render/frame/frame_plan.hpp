@@ -37,6 +37,10 @@ struct Draw {
   std::array<float, 4> base_color;
   std::uint32_t line_width = 1u << 8;  // of a wireframe: sub-pixels
   bool vertex_colors = false;
+  // Its alpha is less than 1 somewhere: what lies behind shows through. Then base_color's alpha times the vertices', or
+  // where alpha_cutoff is not negative 1 or 0: at least as much, or less.
+  bool blended = false;
+  float alpha_cutoff = -1;
   bool lit_per_pixel = false;  // of a flat draw: its faces' normals meet the light at each pixel, not at their centres
   ActiveTargets targets;       // only those with a weight other than 0
   std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices
@@ -80,6 +84,7 @@ struct FramePlan {
   bool clips = true;              // false: nothing comes near a clip plane, the clip stage is left out
   bool divides = true;            // false: w is 1 at every vertex, nothing is divided by it
   bool tests_depth = true;        // false: no pixel centre is covered twice, what comes is not compared
+  bool blends = false;            // some draw is blended
   bool keeps_vertices = true;     // a draw that is as it was in the frame drawn before keeps its vertices
   bool keeps_blank_tiles = true;  // tiles that were and stay background are not written again
   std::shared_ptr<const std::vector<BackgroundRow>> background;  // of each row; null: 0 in all four

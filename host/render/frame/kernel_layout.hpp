@@ -22,13 +22,13 @@ struct Int4 {
 // The host knows the default's layout of this struct alone; the others have its size.
 static_assert(sizeof(LargeTriangle) == 64);
 // Members are 4 bytes wide, or 8 and in front, so device and host agree when the totals do.
-static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 16));
+static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 17));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
 static_assert(sizeof(LightConstants) == 48);
 static_assert(sizeof(ClippedPrimitive) == 104);
-static_assert(sizeof(BinsOffsets) == 72);
-static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 51);
+static_assert(sizeof(BinsOffsets) == 88);
+static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 53);
 static_assert(sizeof(ChunkStatus) == 16);
 static_assert(sizeof(SampleFragment) == 20);
 static_assert(sizeof(BinsHeader) == 64);

@@ -55,7 +55,8 @@ static_assert(sizeof(LightKey) == 8 * 4);
 
 struct DrawKey {
   const Mesh* mesh;
-  std::uint32_t shading_line_width, double_sided, mirrored, colors_displaced_lit_moves;
+  std::uint32_t shading_line_width, double_sided, mirrored, colors_displaced_lit_moves_blended;
+  float alpha_cutoff;
   std::array<float, 4> base_color;
   std::array<Row, 4> object_to_clip;
   std::array<Row, 3> object_to_eye;
@@ -64,8 +65,9 @@ struct DrawKey {
   float crypto_object, crypto_material;
   std::array<float, 3> albedo;
   std::uint32_t normals, target_count;
+  std::uint32_t pad = 0;
 };
-static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 54 * 4);
+static_assert(sizeof(DrawKey) == sizeof(const Mesh*) + 56 * 4);
 
 std::uint32_t count(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
@@ -79,12 +81,13 @@ void add(Digester& digester, const EyeLight& light) {
 void add(Digester& digester, const Draw& draw) {
   // Left out: the object's number, which shows in object_id where that is asked for.
   const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
-               line_width, vertex_colors, lit_per_pixel, targets, accuracy, displaced, object_id, material_id,
-               crypto_object, crypto_material, albedo, normals, moves] = draw;
-  digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
-                       vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u) | (moves ? 8u : 0u),
-                       base_color, object_to_clip, object_to_eye, normal_to_eye, object_id, material_id, crypto_object,
-                       crypto_material, albedo, static_cast<std::uint32_t>(normals), count(targets.size())});
+               line_width, vertex_colors, blended, alpha_cutoff, lit_per_pixel, targets, accuracy, displaced, object_id,
+               material_id, crypto_object, crypto_material, albedo, normals, moves] = draw;
+  digester.add(DrawKey{
+      mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
+      vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u) | (moves ? 8u : 0u) | (blended ? 16u : 0u),
+      alpha_cutoff, base_color, object_to_clip, object_to_eye, normal_to_eye, object_id, material_id, crypto_object,
+      crypto_material, albedo, static_cast<std::uint32_t>(normals), count(targets.size())});
   for (const ActiveTarget& target : targets) digester.add(target);
   if (displaced) digester.add(displaced->hash);
   const VertexAccuracy plain;
@@ -99,7 +102,7 @@ void add(Digester& digester, const Draw& draw) {
 PlanDigest pixel_digest(const FramePlan& plan) {
   // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
   const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, channels, samples, draws,
-               next_draws, draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth,
+               next_draws, draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth, blends,
                keeps_vertices, keeps_blank_tiles, background, eye_to_world, world_to_eye, world_to_ndc, channel_names,
                manifests] = plan;
   Digester digester;

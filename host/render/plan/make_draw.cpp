@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/render/frame/kernel_layout.hpp"
+#include "host/render/plan/transparency.hpp"
 #include "morphcl/transform.hpp"
 
 namespace morphcl {
@@ -38,6 +39,10 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
 
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
+  draw.blended =
+      transparency_of(object.material, context.vertex_alpha[object.mesh], context.plan.channels) == Transparency::some;
+  const bool masked = draw.blended && object.material.alpha_mode == AlphaMode::mask;
+  draw.alpha_cutoff = masked ? to_fp32(std::clamp(object.material.alpha_cutoff, 0.0, 2.0)) : -1.0f;
   const bool shows_albedo = context.plan.has(Channel::albedo), shows_normals = context.plan.has(Channel::normal);
   draw.albedo = {};
   if (shows_albedo) std::copy_n(draw.base_color.begin(), 3, draw.albedo.begin());
@@ -52,7 +57,7 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   if (!context.plan.has_color() && !context.keeps_normals) {
     // Distances do not depend on colours.
     if (draw.shading != Shading::wireframe) draw.shading = Shading::unlit;
-    draw.vertex_colors = draw.vertex_colors && shows_albedo;
+    draw.vertex_colors = draw.vertex_colors && (shows_albedo || draw.blended);
   } else if (context.plan.lights.empty() && is_lit(draw.shading) && !context.keeps_normals) {
     // Without lights every normal gives the ambient light, which goes into the base colour: the same fp32 product.
     draw.shading = Shading::unlit;

@@ -1,6 +1,8 @@
 // One object of a frame as the renderers get it.
 #pragma once
 
+#include <vector>
+
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/draw_ids.hpp"
 
@@ -9,7 +11,8 @@ namespace morphcl {
 // The parts of a frame that all its draws share.
 struct DrawContext {
   const Scene& scene;
-  const FramePlan& plan;  // its lights and ambient light
+  const FramePlan& plan;                  // its lights and ambient light
+  const std::vector<bool>& vertex_alpha;  // see meshes_with_alpha()
   const DrawIds& ids;
   bool keeps_normals;
 };

@@ -16,7 +16,12 @@ namespace morphcl {
 class NextFrame {
  public:
   NextFrame(const Scene& scene, const std::vector<MorphBounds>& meshes, const DrawIds& ids)
-      : scene_(scene), meshes_(meshes), ids_(ids), nodes_(scene.timeline.nodes), weights_(scene) {}
+      : scene_(scene),
+        meshes_(meshes),
+        ids_(ids),
+        nodes_(scene.timeline.nodes),
+        weights_(scene),
+        opaque_(meshes.size()) {}
 
   // Sets plan.next_draws and which of its draws move; all else of the plan is complete. Matrices, morph targets and
   // displaced positions are those of the frame with the next number, whichever is drawn after this one. `elastic` is
@@ -29,6 +34,7 @@ class NextFrame {
   const DrawIds& ids_;
   NodeSampler nodes_;
   SharedWeights weights_;
+  const std::vector<bool> opaque_;  // alpha moves no vertex
 };
 
 }  // namespace morphcl

@@ -22,6 +22,7 @@
 #include "host/render/plan/object_tree.hpp"
 #include "host/render/plan/shared_weights.hpp"
 #include "host/render/plan/single_cover.hpp"
+#include "host/render/plan/transparency.hpp"
 #include "host/render/plan/view_volume.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/numerics.hpp"
@@ -59,13 +60,14 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
 // What planning asks of every object that may be in view, side by side in memory.
 struct ObjectFacts {
   int mesh, node;
-  bool has_primitives;
+  bool is_seen;     // it has something to draw, and alpha lets some of it show
   bool is_still;    // its node never moves and it is no elastic body: only its weights may change
   bool morphs;      // some weight has a track
   bool is_elastic;  // an elastic body
 };
 
-std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler& nodes) {
+std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler& nodes,
+                                          const std::vector<bool>& vertex_alpha) {
   std::vector<ObjectFacts> facts;
   facts.reserve(scene.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -74,8 +76,11 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
     const bool morphs = !weights.tracks.empty();
     // Weights decide how accurate vertices have to be.
     const bool only_weights_change = !weights.elastic && !(morphs && scene.accuracy_pixels > 0);
-    facts.push_back({object.mesh, object.node, has_primitives(object, scene.meshes[object.mesh]),
-                     nodes.is_still(object.node) && only_weights_change, morphs, weights.elastic.has_value()});
+    const bool is_seen =
+        has_primitives(object, scene.meshes[object.mesh]) &&
+        transparency_of(object.material, vertex_alpha[object.mesh], scene.image.channels) != Transparency::whole;
+    facts.push_back({object.mesh, object.node, is_seen, nodes.is_still(object.node) && only_weights_change, morphs,
+                     weights.elastic.has_value()});
   }
   return facts;
 }
@@ -158,7 +163,8 @@ struct Planner::Impl {
         meshes(bounds_of_meshes(s)),
         nodes(s.timeline.nodes),
         tree(bounds_over_time(s, meshes, nodes)),
-        facts(facts_of_objects(s, nodes)),
+        vertex_alpha(meshes_with_alpha(s)),
+        facts(facts_of_objects(s, nodes, vertex_alpha)),
         ids(s),
         manifests(cryptomatte_manifests(s)),
         background(background_rows(s.image)),
@@ -191,6 +197,7 @@ struct Planner::Impl {
   std::mutex mutex;  // of what follows: room that every frame uses again
   NodeSampler nodes;
   const ObjectTree tree;
+  const std::vector<bool> vertex_alpha;  // of each mesh
   const std::vector<ObjectFacts> facts;
   const DrawIds ids;
   const std::shared_ptr<const CryptomatteManifests> manifests;
@@ -245,7 +252,7 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
 
 void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume, FramePlan& plan) {
   const ObjectFacts& object = facts[object_index];
-  if (!object.has_primitives || !nodes.is_visible(object.node)) return;
+  if (!object.is_seen || !nodes.is_visible(object.node)) return;
   const bool inside = in_view.inside.contains(object_index);
   const Draw* before = object.is_still ? memory.find(static_cast<std::uint32_t>(object_index)) : nullptr;
   const std::vector<double>& targets = weights.of(object_index, tick);
@@ -263,7 +270,8 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
   }
   try {
     Draw& draw = before ? plan.draws.emplace_back(*before) : plan.draws.emplace_back();
-    if (!before) make_draw({scene, plan, ids, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
+    if (!before)
+      make_draw({scene, plan, vertex_alpha, ids, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
     if (object.is_still && !(before && same_targets(draw.targets, before->targets))) memory.replace();
     draw.displaced = displaced;
@@ -313,7 +321,8 @@ FramePlan Planner::Impl::plan(std::int64_t frame) {
     throw Error(kind, error.place(), fmt::format("frame {}: {}", frame, error.message()));
   }
   plan.divides = !options.divide || std::any_of(plan.draws.begin(), plan.draws.end(), divides_by_w);
-  plan.tests_depth = !options.depth_test || !is_covered_once(plan);
+  plan.blends = std::any_of(plan.draws.begin(), plan.draws.end(), [](const Draw& draw) { return draw.blended; });
+  plan.tests_depth = !options.depth_test || plan.blends || !is_covered_once(plan);
   return plan;
 }
 

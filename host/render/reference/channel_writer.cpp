@@ -30,8 +30,9 @@ void ChannelWriter::write(const Centre& centre, int x, int y) const {
   write(Channel::material_id, centre.material_id, x, y);
 }
 
-void ChannelWriter::write_shares(const FramePlan& plan, std::span<const Sample> samples, int x, int y) const {
-  write(Channel::coverage, {coverage_of(samples)}, x, y);
+void ChannelWriter::write_shares(const FramePlan& plan, std::span<const Sample> samples, float coverage, int x,
+                                 int y) const {
+  write(Channel::coverage, {coverage}, x, y);
   for (const auto& [channel, names] : {std::pair{Channel::crypto_object, CryptoNames::objects},
                                        std::pair{Channel::crypto_material, CryptoNames::materials}}) {
     if (!channels_.contains(channel)) continue;

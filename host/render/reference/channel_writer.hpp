@@ -13,7 +13,7 @@ class ChannelWriter {
 
   // Stores those of the frame's channels that a pixel's centre, or its samples, say. For threads with a row each.
   void write(const Centre& centre, int x, int y) const;
-  void write_shares(const FramePlan& plan, std::span<const Sample> samples, int x, int y) const;
+  void write_shares(const FramePlan& plan, std::span<const Sample> samples, float coverage, int x, int y) const;
 
  private:
   void write(Channel channel, std::initializer_list<float> values, int x, int y) const;

@@ -157,9 +157,8 @@ std::array<std::uint32_t, 3> Centres::vertices_of(const Sample& sample) const {
   return {triangle[0], triangle[1], triangle[2]};
 }
 
-Centre Centres::at(const Visibility& visible, int x, int y) const {
+Centre Centres::at(const Visibility& visible, const Sample& sample, int x, int y) const {
   Centre centre;
-  const Sample& sample = visible.sample(x, y);
   if (sample.order == no_order) return centre;
   const Draw& draw = plan_.draws[sample.draw];
   centre.object_id = draw.object_id;

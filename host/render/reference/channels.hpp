@@ -27,8 +27,8 @@ class Centres {
   Centres(const FramePlan& plan, const std::vector<std::vector<Vertex>>& vertices,
           const std::vector<std::vector<Vertex>>& next);
 
-  // What the plan's channels do not ask for may be 0. `visible` has one sample a pixel.
-  Centre at(const Visibility& visible, int x, int y) const;
+  // Of `surface`, which the pixel's centre shows. What the plan's channels do not ask for may be 0.
+  Centre at(const Visibility& visible, const Sample& surface, int x, int y) const;
 
  private:
   std::array<std::uint32_t, 3> vertices_of(const Sample& sample) const;

@@ -21,6 +21,8 @@ namespace morphcl {
 
 namespace {
 
+constexpr int blended_parts = 64;
+
 using reference::Rows;
 using SceneVertices = std::vector<std::vector<reference::Vertex>>;
 
@@ -40,10 +42,19 @@ std::vector<RowMemory> memory_of_rows(FrameBuffer& frame) {
   return rows;
 }
 
-// The halves of a surface's colour, and of alpha.
+// The pixel of an opaque surface.
 std::array<std::uint16_t, 4> opaque_pixel(const glm::vec3& color) {
   return {imath_float_to_half(color.r), imath_float_to_half(color.g), imath_float_to_half(color.b),
           imath_float_to_half(1.0f)};
+}
+
+std::array<std::uint16_t, 4> pixel_of_centre(const FramePlan& plan, const reference::Visibility& visible,
+                                             const SceneVertices& vertices, int x, int y) {
+  if (plan.blends) return reference::resolve_pixel(plan, visible, vertices, x, y);
+  const reference::Sample& sample = visible.sample(x, y);
+  if (sample.order != reference::no_order)
+    return opaque_pixel(reference::shade_centre(plan, visible, sample, vertices, x, y).color);
+  return plan.background ? (*plan.background)[static_cast<std::size_t>(y)] : BackgroundRow{};
 }
 
 // What all threads take from.
@@ -56,6 +67,16 @@ struct Picture {
   const reference::ChannelWriter& channels;
 };
 
+void write_shares(const Picture& picture, const reference::Visibility& visible, int x, int y) {
+  if (picture.plan.blends) {
+    const auto& [surfaces, coverage] = reference::shown_surfaces(picture.plan, visible, picture.vertices, x, y);
+    picture.channels.write_shares(picture.plan, surfaces, coverage, x, y);
+    return;
+  }
+  const std::span<const reference::Sample> samples = visible.samples_of(x, y);
+  picture.channels.write_shares(picture.plan, samples, reference::coverage_of(samples), x, y);
+}
+
 // Of one sample a pixel, the centre. `with_color`: else what is that of the centre alone.
 void draw_centres(const Picture& picture, const Rows& rows, bool with_color, reference::Visibility& visible) {
   const auto& [plan, grid, vertices, frame, centres, channels] = picture;
@@ -64,18 +85,17 @@ void draw_centres(const Picture& picture, const Rows& rows, bool with_color, ref
   reference::find_visible(plan, grid, vertices, rows, 1, visible);
   for (int y = rows.first; y < plan.height; y += rows.step) {
     const RowMemory& row = frame[static_cast<std::size_t>(y)];
-    const BackgroundRow behind = plan.background ? (*plan.background)[static_cast<std::size_t>(y)] : BackgroundRow{};
     for (int x = 0; x < plan.width; ++x) {
-      const reference::Sample& sample = visible.sample(x, y);
-      const bool background = sample.order == reference::no_order;
       if (with_color) {
-        const BackgroundRow pixel = background ? behind : opaque_pixel(reference::shade(plan, visible, vertices, x, y));
+        const auto pixel = pixel_of_centre(plan, visible, vertices, x, y);
         for (std::size_t c = 0; c < 4; ++c) row.color[c][x] = pixel[c];
       }
+      const reference::Sample& surface = reference::surface_at_centre(plan, visible, vertices, x, y);
       if (plan.has_depth())
-        row.distance[x] = background ? background_depth : reference::eye_distance(plan, sample.depth);
-      if (with_channels) channels.write(centres.at(visible, x, y), x, y);
-      if (with_shares) channels.write_shares(plan, visible.samples_of(x, y), x, y);
+        row.distance[x] =
+            surface.order == reference::no_order ? background_depth : reference::eye_distance(plan, surface.depth);
+      if (with_channels) channels.write(centres.at(visible, surface, x, y), x, y);
+      if (with_shares) write_shares(picture, visible, x, y);
     }
   }
 }
@@ -87,7 +107,7 @@ void draw_samples(const Picture& picture, const Rows& rows, reference::Visibilit
   reference::find_visible(plan, grid, vertices, rows, plan.samples, visible);
   for (int y = rows.first; y < plan.height; y += rows.step)
     for (int x = 0; x < plan.width; ++x) {
-      if (with_shares) channels.write_shares(plan, visible.samples_of(x, y), x, y);
+      if (with_shares) write_shares(picture, visible, x, y);
       if (!plan.has_color()) continue;
       const auto pixel = reference::resolve_pixel(plan, visible, vertices, x, y);
       for (std::size_t c = 0; c < 4; ++c) frame[static_cast<std::size_t>(y)].color[c][x] = pixel[c];
@@ -122,12 +142,15 @@ class ReferenceRenderer : public Renderer {
     const reference::Centres centres(plan, vertices, next);
     const reference::ChannelWriter channels(frame);
     const Picture picture{plan, grid, vertices, rows, centres, channels};
-    const int parts = std::min(threads_, plan.height);
-    visible_.resize(static_cast<std::size_t>(parts));
+    const int threads = std::min(threads_, plan.height);
+    // What is kept of layers is bounded by drawing few rows at a time.
+    const int parts = plan.blends ? std::min(plan.height, std::max(blended_parts, threads)) : threads;
+    visible_.resize(static_cast<std::size_t>(threads));
     std::mutex mutex;
     int next_part = 0;
     std::exception_ptr failure;
-    const auto draw_parts = [&](int) {
+    const auto draw_parts = [&](int thread) {
+      reference::Visibility& visible = visible_[static_cast<std::size_t>(thread)];
       for (;;) {
         int part = 0;
         {
@@ -136,7 +159,7 @@ class ReferenceRenderer : public Renderer {
           part = next_part++;
         }
         try {
-          draw_rows(picture, {part, parts}, visible_[static_cast<std::size_t>(part)]);
+          draw_rows(picture, {part, parts}, visible);
         } catch (...) {
           const std::lock_guard lock(mutex);
           failure = std::current_exception();
@@ -145,14 +168,14 @@ class ReferenceRenderer : public Renderer {
     };
     {
       std::vector<std::jthread> others;
-      start_threads(others, parts - 1, draw_parts);
-      draw_parts(0);
+      start_threads(others, threads - 1, draw_parts);
+      draw_parts(threads - 1);
     }
     if (failure) std::rethrow_exception(failure);
   }
 
   int threads_;
-  std::vector<reference::Visibility> visible_;  // of each part
+  std::vector<reference::Visibility> visible_;  // of each thread
 };
 
 }  // namespace

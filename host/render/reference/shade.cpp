@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "host/render/frame/raster_grid.hpp"
+#include "host/render/frame/sample_pattern.hpp"
 #include "host/render/reference/areas.hpp"
 #include "host/render/reference/light.hpp"
 
@@ -34,6 +36,28 @@ Areas clamped(Areas areas, const ScreenVertex corner[3]) {
   const bool positive = areas_at(corner, corner[0].x, corner[0].y).corner[0] >= 0.0f;  // the whole area
   for (float& area : areas.corner) area = positive ? std::max(area, 0.0f) : std::min(area, 0.0f);
   return areas;
+}
+
+// Whether a triangle of this orientation owns what lies at (x, y), as the raster has it.
+bool covers(const ScreenVertex corner[3], bool positive, int x, int y) {
+  for (int i = 0; i < 3; ++i) {
+    const ScreenVertex &from = corner[positive ? i : 2 - i], &to = corner[positive ? (i + 1) % 3 : (4 - i) % 3];
+    const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
+    const std::int64_t value = dx * (y - from.y) - dy * (x - from.x);
+    const bool owns_edge = dy < 0 || (dy == 0 && dx > 0);
+    if (owns_edge ? value < 0 : value <= 0) return false;
+  }
+  return true;
+}
+
+// The mean of all samples of the pixel that the triangle covers.
+SubPixelOffset centroid_of_coverage(const ScreenVertex corner[3], const Place& centre, int samples) {
+  const std::int64_t area = std::int64_t{corner[1].x - corner[0].x} * (corner[2].y - corner[0].y) -
+                            std::int64_t{corner[2].x - corner[0].x} * (corner[1].y - corner[0].y);
+  PixelPart part;
+  for (const SampleOffset& sample : sample_pattern(samples))
+    if (covers(corner, area > 0, centre.x + sample.subpixels_x(), centre.y + sample.subpixels_y())) part.add(sample);
+  return part.centroid();
 }
 
 Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], const Areas& areas, const Place& place) {
@@ -75,6 +99,10 @@ glm::vec3 interpolate(const Weights& w, const Vector& a, const Vector& b, const 
   return sum;
 }
 
+float interpolate_alpha(const Weights& w, const Vertex& a, const Vertex& b, const Vertex& c) {
+  return std::fma(w.vertex[0], a.color.a, std::fma(w.vertex[1], b.color.a, w.vertex[2] * c.color.a));
+}
+
 glm::vec3 eye_position(const FramePlan& plan, const Place& place, float distance) {
   constexpr float pixel = 1.0f / layout::subpixels;
   const float across = std::fma(static_cast<float>(place.x) * pixel, plan.camera.ray[0], plan.camera.ray[1]);
@@ -83,11 +111,22 @@ glm::vec3 eye_position(const FramePlan& plan, const Place& place, float distance
   return {std::fma(distance, plan.camera.slant[0], across), std::fma(distance, plan.camera.slant[1], up), -distance};
 }
 
-glm::vec3 shade_at(const FramePlan& plan, const Visibility& visible, const Sample& sample,
-                   const std::vector<std::vector<Vertex>>& vertices, Place place, SubPixelOffset centroid) {
+// Alpha of a blended draw. `tint`: the vertices' share.
+float alpha_of(const Draw& draw, float tint) {
+  const float alpha = std::min(std::max(draw.base_color[3] * tint, 0.0f), 1.0f);
+  if (draw.alpha_cutoff < 0.0f) return alpha;
+  return alpha >= draw.alpha_cutoff ? 1.0f : 0.0f;
+}
+
+// `centroid`: where the centre is not in the triangle; none: that of all it covers of the pixel.
+ShadedSurface shade_at(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                       const std::vector<std::vector<Vertex>>& vertices, Place place,
+                       std::optional<SubPixelOffset> centroid) {
   const Draw& draw = plan.draws[sample.draw];
-  glm::vec3 color(draw.base_color[0], draw.base_color[1], draw.base_color[2]);
-  if (draw.shading == Shading::wireframe) return color;
+  ShadedSurface surface{{draw.base_color[0], draw.base_color[1], draw.base_color[2]},
+                        draw.blended ? alpha_of(draw, 1.0f) : 1.0f};
+  glm::vec3& color = surface.color;
+  if (draw.shading == Shading::wireframe) return surface;
 
   const glm::uvec3 triangle = draw.mesh->triangles[sample.primitive];
   const Vertex *a = &vertices[sample.draw][triangle[0]], *b = &vertices[sample.draw][triangle[1]],
@@ -97,15 +136,16 @@ glm::vec3 shade_at(const FramePlan& plan, const Visibility& visible, const Sampl
     face = face_of(plan, draw, a->position, b->position, c->position);
     if (!draw.lit_per_pixel) color *= lambert(plan, face.normal, face.centre);
   }
-  if (draw.shading != Shading::smooth && !draw.lit_per_pixel && !draw.vertex_colors) return color;
+  if (draw.shading != Shading::smooth && !draw.lit_per_pixel && !draw.vertex_colors) return surface;
 
   const bool is_cut = sample.piece != no_piece;
   const ScreenVertex whole[3] = {a->screen, b->screen, c->screen};
   const ScreenVertex* const corner = is_cut ? visible.pieces[sample.piece].corner : whole;
   Areas areas = areas_at(corner, place.x, place.y);
   if (!place.has_depth && !areas.inside()) {
-    place.x += centroid.x;
-    place.y += centroid.y;
+    if (!centroid) centroid = centroid_of_coverage(corner, place, visible.samples_a_pixel);
+    place.x += centroid->x;
+    place.y += centroid->y;
     areas = clamped(areas_at(corner, place.x, place.y), corner);
   }
   Weights w = screen_weights(plan, corner, areas, place);
@@ -122,20 +162,22 @@ glm::vec3 shade_at(const FramePlan& plan, const Visibility& visible, const Sampl
   if (draw.vertex_colors) {
     const glm::vec3 tint = interpolate(w, a->color, b->color, c->color);
     for (int i = 0; i < 3; ++i) color[i] *= tint[i] / w.total();
+    if (draw.blended) surface.alpha = alpha_of(draw, interpolate_alpha(w, *a, *b, *c) / w.total());
   }
-  return color;
+  return surface;
 }
 
 }  // namespace
 
-glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
-                int x, int y) {
-  const Sample& sample = visible.sample(x, y);
-  return shade_at(plan, visible, sample, vertices, {pixel_centre(x), pixel_centre(y), sample.depth, true}, {0, 0});
+ShadedSurface shade_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                           const std::vector<std::vector<Vertex>>& vertices, int x, int y) {
+  return shade_at(plan, visible, sample, vertices, {pixel_centre(x), pixel_centre(y), sample.depth, true},
+                  std::nullopt);
 }
 
-glm::vec3 shade_part(const FramePlan& plan, const Visibility& visible, const Sample& sample,
-                     const std::vector<std::vector<Vertex>>& vertices, int x, int y, SubPixelOffset centroid) {
+ShadedSurface shade_part(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                         const std::vector<std::vector<Vertex>>& vertices, int x, int y,
+                         std::optional<SubPixelOffset> centroid) {
   return shade_at(plan, visible, sample, vertices, {pixel_centre(x), pixel_centre(y), 0, false}, centroid);
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
+#include "host/render/reference/pixel_part.hpp"
 #include "host/render/reference/visibility.hpp"
 
 namespace morphcl::reference {
@@ -10,17 +12,19 @@ namespace morphcl::reference {
 // Positive distance along the view axis.
 float eye_distance(const FramePlan& plan, float depth);
 
-glm::vec3 shade(const FramePlan& plan, const Visibility& visible, const std::vector<std::vector<Vertex>>& vertices,
-                int x, int y);
-
-// From a pixel's centre, sub-pixels.
-struct SubPixelOffset {
-  int x, y;
+struct ShadedSurface {
+  glm::vec3 color;  // not multiplied by alpha
+  float alpha;      // 0 to 1; 1 of opaque draws
 };
 
+// What `sample` shows, at the pixel's centre, which is a sample.
+ShadedSurface shade_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                           const std::vector<std::vector<Vertex>>& vertices, int x, int y);
+
 // Of a pixel with several samples: what `sample` shows, at the pixel's centre where that is in its triangle, else at
-// `centroid`, the mean of the samples that show it.
-glm::vec3 shade_part(const FramePlan& plan, const Visibility& visible, const Sample& sample,
-                     const std::vector<std::vector<Vertex>>& vertices, int x, int y, SubPixelOffset centroid);
+// `centroid`, the mean of the samples that show it. Without one: at the mean of all samples that the triangle covers.
+ShadedSurface shade_part(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                         const std::vector<std::vector<Vertex>>& vertices, int x, int y,
+                         std::optional<SubPixelOffset> centroid);
 
 }  // namespace morphcl::reference

@@ -19,7 +19,8 @@ std::vector<ShownPixel> shown_pixels(const FramePlan& plan) {
         pixels.push_back({nothing_shown, 0, background_depth, glm::vec3(0)});
         continue;
       }
-      const glm::vec3 color = plan.has_color() ? shade(plan, visible, vertices, x, y) : glm::vec3(0);
+      const glm::vec3 color =
+          plan.has_color() ? shade_centre(plan, visible, sample, vertices, x, y).color : glm::vec3(0);
       pixels.push_back({plan.draws[sample.draw].object, sample.primitive, eye_distance(plan, sample.depth), color});
     }
   return pixels;

@@ -17,7 +17,7 @@ struct ShownPixel {
 };
 constexpr std::uint32_t nothing_shown = 0xffffffff;
 
-// One a pixel, row by row from the top.
+// One a pixel, row by row from the top. Of plans that blend: what is opaque.
 std::vector<ShownPixel> shown_pixels(const FramePlan& plan);
 
 }  // namespace morphcl::reference

@@ -19,10 +19,12 @@ std::int64_t half_thickness(std::int64_t run, std::int64_t rise, std::uint32_t w
 
 namespace {
 
+// cover(sample's index, Sample) is called for all that primitives cover, if it is before the far plane.
+template <class Cover>
 class Rasterizer {
  public:
-  Rasterizer(const FramePlan& plan, Visibility& visible)
-      : plan_(plan), visible_(visible), pattern_(sample_pattern(visible.samples_a_pixel)) {
+  Rasterizer(const FramePlan& plan, const Visibility& visible, Cover cover)
+      : plan_(plan), visible_(visible), cover_(cover), pattern_(sample_pattern(visible.samples_a_pixel)) {
     for (const SampleOffset& sample : pattern_) {
       min_sample_ = std::min(min_sample_, layout::half_pixel + sample.subpixels_x());
       max_sample_ = std::max(max_sample_, layout::half_pixel + sample.subpixels_x());
@@ -168,31 +170,41 @@ class Rasterizer {
 
   void cover(int x, int y, std::size_t sample, const StoredDepth& stored, const Sample& identity) {
     if (!stored.in_range) return;
-    Sample& held = visible_.samples[visible_.index(x, y) + sample];
-    const bool forward = is_forward(plan_.depth_format);
-    const bool nearer = forward ? stored.key > held.key : stored.depth > held.depth;
-    const bool equal = forward ? stored.key == held.key : stored.depth == held.depth;
-    if (nearer || (equal && identity.order < held.order)) {
-      held = identity;
-      held.depth = stored.depth;
-      held.key = stored.key;
-    }
+    Sample covered = identity;
+    covered.depth = stored.depth;
+    covered.key = stored.key;
+    cover_(visible_.index(x, y) + sample, covered);
   }
 
   const FramePlan& plan_;
-  Visibility& visible_;
+  const Visibility& visible_;
+  Cover cover_;
   std::span<const SampleOffset> pattern_;
   int min_sample_ = layout::half_pixel, max_sample_ = layout::half_pixel;  // sub-pixels from the pixel's upper left
 };
 
+// In front of the other, or as far.
+bool is_nearer(const FramePlan& plan, const Sample& a, const Sample& b) {
+  return is_forward(plan.depth_format) ? a.key > b.key : a.depth > b.depth;
+}
+bool is_as_far(const FramePlan& plan, const Sample& a, const Sample& b) {
+  return is_forward(plan.depth_format) ? a.key == b.key : a.depth == b.depth;
+}
+
+// Of the opaque draws, or of the blended ones.
+template <class Cover>
 struct DrawnPrimitives {
-  Rasterizer& rasterizer;
+  const FramePlan& plan;
+  bool blended;
   Visibility& visible;
+  Rasterizer<Cover> rasterizer;
 
   void triangle(const ScreenTriangle& t, const PrimitiveIdentity& identity) {
+    if (plan.draws[identity.draw].blended != blended) return;
     rasterizer.triangle(t.a, t.b, t.c, t.double_sided, t.piece == nullptr, sample_of(identity, t.piece));
   }
   void line(const ScreenLine& line, const PrimitiveIdentity& identity) {
+    if (plan.draws[identity.draw].blended != blended) return;
     rasterizer.line(line.from, line.to, line.width, sample_of(identity, line.piece));
   }
 
@@ -205,7 +217,34 @@ struct DrawnPrimitives {
   }
 };
 
+template <class Cover>
+void cover_samples(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+                   bool blended, Visibility& visible, Cover cover) {
+  const Rasterizer<Cover> rasterizer(plan, visible, cover);
+  for_each_screen_primitive(plan, grid, vertices, DrawnPrimitives<Cover>{plan, blended, visible, rasterizer});
+}
+
+void find_layers(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+                 Visibility& visible) {
+  cover_samples(plan, grid, vertices, true, visible, [&](std::size_t index, const Sample& covered) {
+    const Sample& opaque = visible.samples[index];
+    const bool later = opaque.order == no_order || covered.order > opaque.order;
+    if (is_nearer(plan, covered, opaque) || (is_as_far(plan, covered, opaque) && later))
+      visible.layers.push_back({index, covered});
+  });
+  std::sort(visible.layers.begin(), visible.layers.end(), [&](const Layer& a, const Layer& b) {
+    if (a.index != b.index) return a.index < b.index;
+    if (!is_as_far(plan, a.surface, b.surface)) return is_nearer(plan, a.surface, b.surface);
+    return a.surface.order > b.surface.order;
+  });
+}
+
 }  // namespace
+
+std::span<const Layer> Visibility::layers_of(std::size_t sample) const {
+  const auto [first, end] = std::ranges::equal_range(layers, sample, {}, &Layer::index);
+  return {first, end};
+}
 
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices) {
@@ -220,11 +259,16 @@ void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vect
   visible.width = plan.width;
   visible.samples_a_pixel = samples_a_pixel;
   visible.pieces.clear();
+  visible.layers.clear();
   visible.samples.assign(static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(rows.count(plan.height)) *
                              static_cast<std::size_t>(samples_a_pixel),
                          {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
-  Rasterizer rasterizer(plan, visible);
-  for_each_screen_primitive(plan, grid, vertices, DrawnPrimitives{rasterizer, visible});
+  cover_samples(plan, grid, vertices, false, visible, [&](std::size_t index, const Sample& covered) {
+    Sample& held = visible.samples[index];
+    if (is_nearer(plan, covered, held) || (is_as_far(plan, covered, held) && covered.order < held.order))
+      held = covered;
+  });
+  if (plan.blends) find_layers(plan, grid, vertices, visible);
 }
 
 }  // namespace morphcl::reference

@@ -20,6 +20,11 @@ struct Sample {
   std::uint32_t draw, primitive;
   std::uint32_t piece;  // index into the clipped triangles of the frame, or no_piece
 };
+// Of blended draws: what a sample shows in front of its opaque surface.
+struct Layer {
+  std::size_t index;  // of the sample
+  Sample surface;
+};
 constexpr std::uint64_t no_order = ~std::uint64_t{0};
 constexpr std::uint32_t no_piece = ~std::uint32_t{0};
 
@@ -43,7 +48,8 @@ struct Visibility {
   Rows rows;
   int width = 0;
   int samples_a_pixel = 1;
-  std::vector<Sample> samples;  // of the rows, one after the other; those of a pixel side by side
+  std::vector<Sample> samples;  // of the rows, one after the other; those of a pixel side by side. Opaque draws
+  std::vector<Layer> layers;    // by sample, and from front to back: of equal depths what is drawn later comes first
   std::vector<Piece> pieces;
 
   std::size_t index(int x, int y) const {
@@ -52,6 +58,7 @@ struct Visibility {
            static_cast<std::size_t>(samples_a_pixel);
   }
   const Sample& sample(int x, int y) const { return samples[index(x, y)]; }
+  std::span<const Layer> layers_of(std::size_t sample) const;
   std::span<const Sample> samples_of(int x, int y) const {
     return {&samples[index(x, y)], static_cast<std::size_t>(samples_a_pixel)};
   }

@@ -70,16 +70,17 @@ GltfMaterial read_material(const GltfValue& json, GltfWarnings& warnings) {
   result.material.double_sided = json.boolean("doubleSided", false);
   const std::string mode = alpha_mode(json, warnings);
   const double alpha = result.material.base_color.a;
-  result.blend = mode == "BLEND";
+  result.has_alpha = mode != "OPAQUE";
   if (mode == "MASK") {
+    result.material.alpha_mode = AlphaMode::mask;
+    result.material.alpha_cutoff = json.number("alphaCutoff", 0.5);
     // Textures and vertex colours only ever lower alpha.
-    result.seen = !(alpha < json.number("alphaCutoff", 0.5));
-    if (result.seen) warnings.not_drawn("alpha masks");
-  } else if (result.blend) {
+    result.seen = !(alpha < result.material.alpha_cutoff);
+  } else if (mode == "BLEND") {
     result.seen = alpha > 0;
-    if (result.seen && alpha < 1) warnings.not_drawn("transparency");
+  } else {
+    result.material.base_color.a = 1.0;
   }
-  if (!result.blend) result.material.base_color.a = 1.0;
   if (const auto extensions = json.find("extensions"); extensions && extensions->find("KHR_materials_unlit"))
     result.material.shading = Shading::unlit;
   return result;

@@ -7,9 +7,9 @@
 namespace morphcl {
 
 struct GltfMaterial {
-  Material material;   // shading is smooth or unlit; white without a material, as the specification says
-  bool blend = false;  // false: alpha is 1 everywhere
-  bool seen = true;    // false: alpha is 0 everywhere, so there is nothing to draw
+  Material material;       // shading is smooth or unlit; white without a material, as the specification says
+  bool has_alpha = false;  // false: alpha is 1 everywhere, whatever the vertices have
+  bool seen = true;        // false: alpha is 0 everywhere, so there is nothing to draw
 };
 
 // `index` is -1 for a primitive without a material. What is wrong with one is a warning.

@@ -78,7 +78,7 @@ void drop_unless_finite(std::vector<Vector>& moves, const std::string& place, co
 }
 
 MorphTarget read_target(const GltfAttributes& reader, const GltfValue& json, const GltfValue& attributes,
-                        std::size_t vertex_count, bool blend, GltfWarnings& warnings) {
+                        std::size_t vertex_count, bool has_alpha, GltfWarnings& warnings) {
   const auto accessor_of = [&](const char* name) {
     const int accessor = reader.find(json, name);
     if (accessor >= 0 && !attributes.find(name)) json.fail(fmt::format("moves {}, which the primitive has not", name));
@@ -95,7 +95,7 @@ MorphTarget read_target(const GltfAttributes& reader, const GltfValue& json, con
   if (const int accessor = accessor_of("COLOR_0"); accessor >= 0) {
     target.colors = reader.read_color(accessor, vertex_count, 0.0f);
     drop_unless_finite(target.colors, reader.place(accessor), "colours", warnings);
-    if (!blend)
+    if (!has_alpha)
       for (glm::vec4& color : target.colors) color.a = 0.0f;
   }
   return target;
@@ -130,17 +130,15 @@ std::optional<GltfPrimitive> read_primitive(const GltfDocument& document, const 
   if (const int accessor = reader.find(attributes, "COLOR_0"); accessor >= 0) {
     mesh.colors = reader.read_color(accessor, vertex_count, 1.0f);
     mend_colors(mesh.colors, accessors.place(accessor), warnings);
-    const auto is_faint = [](const glm::vec4& color) { return color.a < 1; };
-    if (material.blend && std::any_of(mesh.colors.begin(), mesh.colors.end(), is_faint))
-      warnings.not_drawn("transparency");
-    if (!material.blend)
+    if (!material.has_alpha)
       for (glm::vec4& color : mesh.colors) color.a = 1.0f;
   }
   mesh.uvs = read_uvs(reader, attributes, vertex_count, warnings);
   if (const auto targets = json.find("targets"))
     for (std::size_t i = 0; i < targets->size(); ++i) {
       document.budget().charge(1, sizeof(MorphTarget) + target_names[i].size(), json.place());
-      mesh.targets.push_back(read_target(reader, (*targets)[i], attributes, vertex_count, material.blend, warnings));
+      mesh.targets.push_back(
+          read_target(reader, (*targets)[i], attributes, vertex_count, material.has_alpha, warnings));
       mesh.targets.back().name = target_names[i];
     }
 

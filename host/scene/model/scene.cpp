@@ -50,6 +50,7 @@ void check_image(const ImageSettings& image) {
   check_errors(image);
 }
 constexpr int last_shading = static_cast<int>(Shading::wireframe);
+constexpr int last_alpha_mode = static_cast<int>(AlphaMode::opaque);
 
 void check_object(const Scene& scene, std::size_t index) {
   const Object& object = scene.objects[index];
@@ -62,6 +63,11 @@ void check_object(const Scene& scene, std::size_t index) {
     fail(fmt::format("{}: there is no shading {}", name, shading));
   for (int c = 0; c < 4; ++c)
     if (!std::isfinite(object.material.base_color[c])) fail(fmt::format("{}: the base colour is not finite", name));
+  if (const double alpha = object.material.base_color.a; !(alpha >= 0 && alpha <= 1))
+    fail(fmt::format("{}: the base colour's alpha is {}; it reaches from 0 to 1", name, alpha));
+  if (const int mode = static_cast<int>(object.material.alpha_mode); mode < 0 || mode > last_alpha_mode)
+    fail(fmt::format("{}: there is no alpha mode {}", name, mode));
+  if (!std::isfinite(object.material.alpha_cutoff)) fail(fmt::format("{}: the alpha cutoff is not finite", name));
 
   if (const double width = object.material.line_width; !(width > 0 && width <= max_line_width))
     fail(fmt::format("{}: lines {} pixels wide; more than 0 to {} is possible", name, width, max_line_width));

@@ -41,6 +41,7 @@ Material material_of(const ObjFile& file, const ObjPart& part, const std::vector
     material.base_color = glm::dvec4(*diffuse, 1.0);
   else if (!file.colors.empty())
     material.base_color = glm::dvec4(1.0);  // vertex colours are what they say
+  if (part.material >= 0) material.base_color.a = materials[static_cast<std::size_t>(part.material)].alpha;
   return material;
 }
 

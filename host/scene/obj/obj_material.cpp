@@ -195,20 +195,17 @@ class MtlReader {
   }
 
   void tell() {
-    std::set<std::string> unknown, faint, gone;
+    std::set<std::string> unknown, gone;
     for (const std::string& name : wanted_) {
       const auto found = found_.find(name);
       if (found == found_.end())
         unknown.insert(name);
       else if (found->second.alpha == 0)
         gone.insert(name);
-      else if (found->second.alpha < 1)
-        faint.insert(name);
     }
     if (!unknown.empty() && !file_.material_libraries.empty() && !missing_library_)
       warnings_.push_back(fmt::format("{}: no material library holds {}; the default colour is used",
                                       printable(file_.path), mtl_names(unknown)));
-    if (!faint.empty()) not_drawn_.insert("transparency of " + mtl_names(faint));
     if (!gone.empty())
       warnings_.push_back(fmt::format("{}: alpha is 0 (d 0 or Tr 1), so nothing is drawn of {}", printable(file_.path),
                                       mtl_names(gone)));

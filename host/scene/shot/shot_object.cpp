@@ -54,7 +54,10 @@ double read_line_width(const ShotValue& value) {
 
 void read_material(const ShotTable& table, Material& material) {
   if (const auto shading = table.find("shading")) material.shading = read_shading(*shading);
-  if (const auto color = table.find("color")) material.base_color = read_base_color(*color);
+  if (const auto color = table.find("color")) {
+    material.base_color = read_base_color(*color);
+    material.alpha_mode = AlphaMode::blend;
+  }
   if (const auto double_sided = table.find("double_sided")) material.double_sided = double_sided->boolean();
   if (const auto width = table.find("line_width")) material.line_width = read_line_width(*width);
 }
@@ -97,15 +100,8 @@ void ObjectReader::read(const ShotValue& object) {
   std::unordered_set<std::string> driven;
   table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
   if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);
-  if (const auto color = table.find("color")) apply_alpha(*color, name, first_object);
-}
-
-void ObjectReader::apply_alpha(const ShotValue& color, const std::string& name, std::size_t first_object) {
-  const double alpha = color.size() == 4 ? color[3].number() : 1;
-  if (alpha == 0)
-    scene_.objects.resize(first_object);
-  else if (alpha < 1)
-    scene_.warnings.push_back(fmt::format("{}: not drawn: transparency (alpha {})", name, alpha));
+  const auto color = table.find("color");
+  if (color && color->size() == 4 && (*color)[3].number() == 0) scene_.objects.resize(first_object);
 }
 
 void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {

@@ -26,8 +26,6 @@ class ObjectReader {
   std::string read_name(const ShotTable& table);
   void add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name);
   void read_track(const ShotValue& track, int root, std::size_t first_object, std::unordered_set<std::string>& driven);
-  // What alpha hides altogether is not drawn; less than 1 is named.
-  void apply_alpha(const ShotValue& color, const std::string& name, std::size_t first_object);
   void make_elastic(const ShotValue& elastic, std::size_t first_object);
   void drive_morph(const ShotTable& track, const std::string& target, std::size_t first_object);
 

@@ -31,5 +31,6 @@ Operation spring_chain();
 Operation point_in_polygon();
 Operation whole_frame();
 Operation antialiasing();
+Operation blending();
 
 }  // namespace morphcl::accuracy

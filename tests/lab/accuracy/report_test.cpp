@@ -52,7 +52,8 @@ TEST(AccuracyReport, HasEveryOperation) {
                                                "spring",
                                                "point-in-polygon",
                                                "whole-frame",
-                                               "antialiasing"}));
+                                               "antialiasing",
+                                               "blending"}));
 }
 
 // Of the hashes of the quick report that do not lean on the C library, one after the other. The same by every compiler,
@@ -92,6 +93,7 @@ const std::map<std::string, std::uint64_t> bits_of_operations = {
     {"point-in-polygon", 0x8b9519a819dd26e0},
     {"whole-frame", 0x450c1b8bbfd526c1},
     {"antialiasing", 0xb0e18aab431743e7},
+    {"blending", 0xba7615a2d480bd15},
 };
 
 // Every operation by its name, so that one that is wrong is named.
