@@ -1,8 +1,8 @@
 // morphcl_bench_draw: times morphcl on one scene, from the frame number to pixels in host memory.
 //
 // A frame is its plan and its rendering into planes of half R, G, B, A and float Z that the program then owns: what the
-// tool does before it writes a file. Warm-up frames are not counted. --samples, --colors-only and --channels: several
-// samples a pixel, no Z, and other channels beside these.
+// tool does before it writes a file. Warm-up frames are not counted. --colors-only and --channels: no Z, and other
+// channels beside these.
 
 #include <fmt/format.h>
 
@@ -47,14 +47,13 @@ Subject make_subject(const Options& options) {
 }
 
 struct Picture {
-  int samples = 1;
   bool colors_only = false;
   std::vector<std::string> more_channels;
 };
 
 void run(const Options& options, const Picture& asked_for) {
   Subject subject = make_subject(options);
-  subject.scene.image.samples = asked_for.samples;
+  subject.scene.image.samples = options.samples;
   subject.scene.image.channels.set(Channel::depth, !asked_for.colors_only);
   for (const std::string& name : asked_for.more_channels) {
     const std::optional<Channel> channel = channel_named(name);
@@ -99,7 +98,6 @@ int main(int argc, char** argv) {
     morphcl::bench::Picture picture;
     const auto options = morphcl::bench::parse_options(
         argc, argv, "Times morphcl on a scene: plan and render to RGBA and Z.", [&picture](CLI::App& app) {
-          app.add_option("--samples", picture.samples, "a pixel; default: 1")->check(CLI::IsMember({1, 2, 4, 8, 16}));
           app.add_flag("--colors-only", picture.colors_only, "RGBA without Z");
           app.add_option("--channels", picture.more_channels, "N,P,...: beside these")->delimiter(',');
         });

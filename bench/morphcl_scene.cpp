@@ -51,13 +51,13 @@ MorphWeights mixing_weights(const TimeBase& time, int frames) {
   return weights;
 }
 
-Material make_material(Surface surface) {
+Material make_material(Surface surface, double alpha) {
   Material material;
   if (surface == Surface::lines) {
     material.base_color = glm::dvec4(1.0);
     material.shading = Shading::wireframe;
   } else {
-    material.base_color = glm::dvec4(base_color, 1.0);
+    material.base_color = glm::dvec4(base_color, alpha);
     material.shading = surface == Surface::flat ? Shading::flat : Shading::smooth;
   }
   return material;
@@ -78,7 +78,7 @@ Scene morphcl_scene(BenchScene& bench, int frames) {
   timeline.camera.projection = Perspective{fovy_degrees, near_plane, far_plane};
   timeline.camera.eye = bench.eye;
   timeline.camera.target = bench.target;
-  const Material material = make_material(bench.surface);
+  const Material material = make_material(bench.surface, bench.alpha);
   const MorphWeights weights = mixing_weights(timeline.time, frames);
   for (const Placement& placement : bench.placements) {
     Node node;

@@ -36,6 +36,7 @@ std::optional<Options> parse_options(int argc, char** argv, const std::string& d
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--threads", options.threads, "threads that draw; default: one a processor")
       ->check(CLI::Range(1, 4096));
+  app.add_option("--samples", options.samples, "a pixel; default: 1")->check(CLI::IsMember({1, 2, 4, 8, 16}));
   app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: the scene's own");
   if (add_options) add_options(app);
   try {

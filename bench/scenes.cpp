@@ -71,7 +71,7 @@ void make_sphere(BenchScene& scene, int amount) {
 
 void make_layers(BenchScene& scene, int amount, bool back_to_front) {
   // The last of 190 layers is at 96.5, before the far plane.
-  const int layers = checked_amount(scene.name, amount, {1, 190, 64});
+  const int layers = checked_amount(scene.name, amount, {1, 190, scene.alpha < 1 ? 8 : 64});
   scene.frames = 10;
   scene.surface = Surface::smooth;
   scene.shape = layers_shape(layers, static_cast<double>(scene.width) / scene.height, back_to_front);
@@ -102,8 +102,8 @@ bool is_placed(const BenchScene& scene) {
 }
 
 const std::vector<std::string>& scene_names() {
-  static const std::vector<std::string> names = {"morph", "heavy", "overdraw_btf", "overdraw_ftb",
-                                                 "many",  "wire",  "crowd",        "crowd_in_view"};
+  static const std::vector<std::string> names = {"morph", "heavy",   "overdraw_btf", "overdraw_ftb", "many",
+                                                 "wire",  "blended", "crowd",        "crowd_in_view"};
   return names;
 }
 
@@ -120,6 +120,9 @@ BenchScene make_bench_scene(const std::string& name, int width, int height, int 
     make_sphere(scene, amount);
   } else if (name == "overdraw_btf" || name == "overdraw_ftb") {
     make_layers(scene, amount, name == "overdraw_btf");
+  } else if (name == "blended") {
+    scene.alpha = 0.5;
+    make_layers(scene, amount, true);
   } else if (name == "many" || name == "crowd" || name == "crowd_in_view") {
     make_cubes(scene, amount);
   } else {

@@ -43,6 +43,7 @@ struct BenchScene {
   int width = 1920, height = 1080;  // pixels
   int frames = 24;                  // how many are timed unless the caller asks for another number
   Surface surface = Surface::flat;
+  double alpha = 1.0;  // less: triangles are blended, and come sorted from the farthest to the nearest
   Shape shape;
   std::vector<Placement> placements{1};
   glm::dvec3 eye{0.0}, target{0.0, 0.0, -1.0};  // up is y
@@ -56,8 +57,8 @@ bool is_placed(const BenchScene& scene);
 const std::vector<std::string>& scene_names();
 
 // `width` and `height` 0: the scene's own size. `amount`: how many there are of what the scene has many of, triangles
-// (heavy: the next grid's), layers (overdraw) or cubes (many, crowd); 0: the scene's own number. Error(usage) for an
-// unknown name, and for an amount out of the scene's range.
+// (heavy: the next grid's), layers (overdraw, blended) or cubes (many, crowd); 0: the scene's own number. Error(usage)
+// for an unknown name, and for an amount out of the scene's range.
 BenchScene make_bench_scene(const std::string& name, int width, int height, int amount);
 
 }  // namespace morphcl::bench

@@ -39,22 +39,21 @@ glm::mat4 object_to_world(const Placement& placement) {
 
 }  // namespace
 
-GlScene::GlScene(const BenchScene& scene) : mode_(scene.surface == Surface::lines ? GL_LINES : GL_TRIANGLES) {
-  GLuint vertex_array = 0;
-  gl::GenVertexArrays(1, &vertex_array);
-  gl::BindVertexArray(vertex_array);
+GlScene::GlScene(const BenchScene& scene)
+    : mode_(scene.surface == Surface::lines ? GL_LINES : GL_TRIANGLES), blends_(scene.alpha < 1) {
+  gl::GenVertexArrays(1, &vertex_array_);
+  gl::BindVertexArray(vertex_array_);
   upload_vertices(scene);
   upload_indices(scene);
   if (is_placed(scene)) upload_placements(scene);
 
-  const GLuint program = make_program(scene);
-  gl::UseProgram(program);
-  gl::UniformMatrix4fv(gl::GetUniformLocation(program, "world_to_clip"), 1, GL_FALSE,
+  program_ = make_program(scene);
+  gl::UseProgram(program_);
+  gl::UniformMatrix4fv(gl::GetUniformLocation(program_, "world_to_clip"), 1, GL_FALSE,
                        glm::value_ptr(world_to_clip(scene)));
   const glm::vec3 light = glm::normalize(light_direction);
-  gl::Uniform3f(gl::GetUniformLocation(program, "light"), light.x, light.y, light.z);
-  t_ = gl::GetUniformLocation(program, "t");
-  gl::Enable(GL_DEPTH_TEST);
+  gl::Uniform3f(gl::GetUniformLocation(program_, "light"), light.x, light.y, light.z);
+  t_ = gl::GetUniformLocation(program_, "t");
   if (scene.surface != Surface::lines) gl::Enable(GL_CULL_FACE);
   gl::ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
 }
@@ -104,7 +103,16 @@ void GlScene::upload_placements(const BenchScene& scene) {
 }
 
 void GlScene::draw(float t) const {
+  gl::UseProgram(program_);
+  gl::BindVertexArray(vertex_array_);
+  gl::Enable(GL_DEPTH_TEST);
+  if (blends_) {  // premultiplied
+    gl::Enable(GL_BLEND);
+    gl::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  gl::DepthMask(GL_TRUE);
   gl::Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (blends_) gl::DepthMask(GL_FALSE);  // as usual of what comes sorted, after the opaque
   gl::Uniform1f(t_, t);
   gl::DrawElementsInstanced(mode_, indices_, index_type_, nullptr, instances_);
   gl::Finish();

@@ -20,9 +20,11 @@ class GlScene {
   void upload_indices(const BenchScene& scene);
   void upload_placements(const BenchScene& scene);
 
+  GLuint vertex_array_ = 0, program_ = 0;
   GLenum mode_ = GL_TRIANGLES, index_type_ = GL_UNSIGNED_INT;
   GLsizei indices_ = 0, instances_ = 1;
   GLint t_ = -1;
+  bool blends_ = false;
 };
 
 }  // namespace morphcl::bench

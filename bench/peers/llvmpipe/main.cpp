@@ -28,12 +28,14 @@ float t_of(int frame, int frames) {
 
 FrameTimes draw_frames(const PeerOptions& options, int frames, const GlScene& scene, RenderTarget& target) {
   for (int i = 0; i < warm_up_frames; ++i) {
+    target.start_frame();
     scene.draw(t_of(std::min(i, frames - 1), frames));
     target.read_back();
   }
   FrameTimes times({"draw", "read"});
   for (int i = options.part; i < frames; i += options.parts) {
     times.start_frame();
+    target.start_frame();
     scene.draw(t_of(i, frames));
     times.finish_step();
     target.read_back();
@@ -52,6 +54,7 @@ FrameTimes write_frames(const PeerOptions& options, int frames, const BenchScene
   for (int i = options.part; i < frames; i += options.parts) {
     const std::string path = fmt::format("{}/{}.{:04}.exr", options.out, bench.name, i);
     times.start_frame();
+    target.start_frame();
     scene.draw(t_of(i, frames));
     times.finish_step();
     target.read_back();
@@ -74,7 +77,7 @@ void run(const PeerOptions& options) {
     throw Error(ErrorKind::usage, "", fmt::format("--part {}: there are {} frames", options.part, frames));
   make_llvmpipe_context(options.threads);
   const GlScene scene(bench);
-  RenderTarget target(bench.width, bench.height);
+  RenderTarget target(bench.width, bench.height, options.samples, options.resolve_by_shader);
   const FrameTimes times = options.out.empty() ? draw_frames(options, frames, scene, target)
                                                : write_frames(options, frames, bench, scene, target);
   if (const GLenum error = gl::GetError())

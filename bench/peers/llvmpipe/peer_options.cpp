@@ -21,17 +21,20 @@ void parse_part(const std::string& text, PeerOptions& options) {
 
 std::optional<PeerOptions> parse_peer_options(int argc, char** argv) {
   PeerOptions options;
-  std::string part;
+  std::string part, resolve = "blit";
   const auto parsed = parse_options(
       argc, argv, "Times OpenGL on llvmpipe on a scene: draw and read back to half RGBA; with --out, write it too.",
       [&](CLI::App& app) {
         app.add_option("--out", options.out, "folder for SCENE.####.exr; default: no files")
             ->check(CLI::ExistingDirectory);
         app.add_option("--zip-level", options.zip_level, "of zlib; default 1")->check(CLI::Range(1, 9));
+        app.add_option("--resolve", resolve, "of several samples: blit or shader; default blit")
+            ->check(CLI::IsMember({"blit", "shader"}));
         app.add_option("--part", part, "K/N: only frames K, K + N, K + 2 N, ...; default: all");
       });
   if (!parsed) return std::nullopt;
   static_cast<Options&>(options) = *parsed;
+  options.resolve_by_shader = resolve == "shader";
   if (!part.empty()) parse_part(part, options);
   return options;
 }

@@ -2,6 +2,7 @@
 //
 //   --out FOLDER     write every frame there: SCENE.####.exr, half RGBA, ZIP
 //   --zip-level N    of zlib, 1 to 9; default 1
+//   --resolve HOW    of several samples: blit, by glBlitFramebuffer, or shader; default blit
 //   --part K/N       draw frames K, K + N, K + 2 N, ... only; default 0/1
 #pragma once
 
@@ -15,6 +16,7 @@ struct PeerOptions : Options {
   std::string out;  // a folder; "": no files
   int zip_level = 1;
   int part = 0, parts = 1;  // 0 <= part < parts
+  bool resolve_by_shader = false;
 };
 
 // As parse_options().

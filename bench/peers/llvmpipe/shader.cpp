@@ -49,7 +49,7 @@ uniform vec3 light;
 
 void main() {
 #ifdef LIT
-  color = vec4(BASE_COLOR * max(dot(normalize(normal), light), 0.0) + AMBIENT, 1.0);
+  color = vec4(BASE_COLOR * max(dot(normalize(normal), light), 0.0) + AMBIENT, 1.0) * ALPHA;
 #else
   color = vec4(1.0);
 #endif
@@ -75,6 +75,31 @@ GLuint compile(GLenum stage, const std::string& source) {
   return shader;
 }
 
+GLuint link(const std::string& vertex, const std::string& fragment) {
+  const GLuint program = gl::CreateProgram();
+  gl::AttachShader(program, compile(GL_VERTEX_SHADER, vertex));
+  gl::AttachShader(program, compile(GL_FRAGMENT_SHADER, fragment));
+  gl::LinkProgram(program);
+  GLint linked = GL_FALSE;
+  gl::GetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (!linked) throw Error(ErrorKind::internal, "program", log_of(program, gl::GetProgramiv, gl::GetProgramInfoLog));
+  return program;
+}
+
+// A triangle over the picture, and the mean of the samples.
+constexpr const char* resolve_vertex_source = R"(
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
+)";
+constexpr const char* resolve_fragment_source = R"(
+layout(location = 0) out vec4 color;
+uniform sampler2DMS samples;
+void main() {
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < SAMPLES; i++) sum += texelFetch(samples, ivec2(gl_FragCoord.xy), i);
+  color = sum / float(SAMPLES);
+}
+)";
+
 }  // namespace
 
 GLuint make_program(const BenchScene& scene) {
@@ -82,16 +107,15 @@ GLuint make_program(const BenchScene& scene) {
   if (scene.surface != Surface::lines) head += "#define LIT\n";
   if (is_placed(scene)) head += "#define PLACED\n";
   head += fmt::format("#define INTERPOLATION {}\n", scene.surface == Surface::flat ? "flat" : "smooth");
+  head += fmt::format("#define ALPHA {:.3f}\n", scene.alpha);
   head += fmt::format("#define BASE_COLOR vec3({}, {}, {})\n#define AMBIENT {}\n", base_color.r, base_color.g,
                       base_color.b, ambient);
-  const GLuint program = gl::CreateProgram();
-  gl::AttachShader(program, compile(GL_VERTEX_SHADER, head + vertex_source));
-  gl::AttachShader(program, compile(GL_FRAGMENT_SHADER, head + fragment_source));
-  gl::LinkProgram(program);
-  GLint linked = GL_FALSE;
-  gl::GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (!linked) throw Error(ErrorKind::internal, "program", log_of(program, gl::GetProgramiv, gl::GetProgramInfoLog));
-  return program;
+  return link(head + vertex_source, head + fragment_source);
+}
+
+GLuint make_resolve_program(int samples) {
+  const std::string head = fmt::format("#version 330 core\n#define SAMPLES {}\n", samples);
+  return link(head + resolve_vertex_source, head + resolve_fragment_source);
 }
 
 }  // namespace morphcl::bench

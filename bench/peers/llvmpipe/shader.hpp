@@ -13,4 +13,7 @@ enum Attribute : GLuint { position_0, position_1, normal_0, normal_1, placement 
 // triangle; a scene whose shape is not placed has no placement matrix. Error(internal) with the compiler's log.
 GLuint make_program(const BenchScene& scene);
 
+// A linked program that draws three vertices without attributes: the mean of the samples of the texture in unit 0.
+GLuint make_resolve_program(int samples);
+
 }  // namespace morphcl::bench
