@@ -53,8 +53,8 @@ void add_model_options(CLI::App& command, SceneOptions& scene) {
       ->group("Input");
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& scene) {
-  command.add_option("SCENE", scene.path, "Shot (.toml) or model (.gltf, .glb, .obj)")->required();
+CLI::Option* add_scene_options(CLI::App& command, SceneOptions& scene) {
+  CLI::Option* const path = command.add_option("SCENE", scene.path, "Shot (.toml) or model (.gltf, .glb, .obj)");
   const auto image = [&command](const char* name, std::optional<std::string>& value, const char* help) {
     return command.add_option(name, value, help)->group("Image");
   };
@@ -87,6 +87,7 @@ void add_scene_options(CLI::App& command, SceneOptions& scene) {
       ->type_name("RATE")
       ->group("Time");
   add_model_options(command, scene);
+  return path;
 }
 
 void add_json_flag(CLI::App& command, bool& json) {
@@ -127,7 +128,7 @@ void add_plan_option(CLI::App& command, bool& leave_out) {
 
 void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR or PNG files");
-  add_scene_options(command, options.scene);
+  add_scene_options(command, options.scene)->required();
   command
       .add_option(
           "-o,--output", options.pattern,
@@ -173,7 +174,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
 
 void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("plan", "Show what a frame needs, what is left out, and why");
-  add_scene_options(command, options.scene);
+  add_scene_options(command, options.scene)->required();
   command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
       ->type_name("N")
       ->group("Time");
@@ -191,7 +192,7 @@ void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
       "\n\nPixels that differ in outline, at inner edges and in depth order; the error of colour and Z where both show "
       "the\n"
       "same, as it is, of storage alone (half and float), and of fp32 before storage.");
-  add_scene_options(command, options.scene);
+  add_scene_options(command, options.scene)->required();
   CLI::Option* frame =
       command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
           ->type_name("N")
@@ -238,15 +239,17 @@ void add_devices(CLI::App& app, DevicesOptions& options, Action& action) {
   command.callback([&] { action = [&] { return devices_command(options); }; });
 }
 
-void add_warm(CLI::App& app, DeviceOptions& options, Action& action) {
+void add_warm(CLI::App& app, WarmOptions& options, Action& action) {
   CLI::App& command =
       *app.add_subcommand("warm", "Compile and cache the kernels, so that the next render starts at once");
+  add_scene_options(command, options.scene)
+      ->description("Shot or model whose kernels are compiled, with these options; default: those of most shots");
   command
-      .add_option("--device", options.device,
+      .add_option("--device", options.device.device,
                   "Index or part of a name (see morphcl devices); default: the first CPU device")
       ->type_name("NAME|INDEX")
       ->group("Device");
-  add_threads_option(command, options.threads);
+  add_threads_option(command, options.device.threads);
   command.footer(examples_of("warm"));
   command.callback([&] { action = [&] { return warm_command(options); }; });
 }
@@ -296,7 +299,7 @@ int parse_and_run(int argc, char** argv) {
   CompareOptions compare;
   InfoOptions info;
   DevicesOptions devices;
-  DeviceOptions warm;
+  WarmOptions warm;
   AccuracyOptions accuracy;
   Action action;
   CLI::App app("Renders keyframed morph and transform animations to OpenEXR on any OpenCL device.", "morphcl");

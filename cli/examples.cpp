@@ -37,7 +37,7 @@ constexpr std::array<Examples, 8> all_examples{{
   morphcl devices --threads 1 --json)"},
     {"warm", R"(
   morphcl warm
-  morphcl warm --device 0)"},
+  morphcl warm demos/solids.toml --samples 4)"},
     {"accuracy", R"(
   morphcl accuracy --quick --operation lerp spring
   morphcl accuracy --quick --operation lerp --verbose

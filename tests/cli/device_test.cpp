@@ -141,6 +141,22 @@ TEST_F(Device, WarmCompilesEveryKernel) {
   }
 }
 
+// Of a shot it compiles what this one needs, and nothing else.
+TEST_F(Device, WarmOfAShotCompilesItsKernels) {
+  plant("glass.toml",
+        "[image]\nsize = [64, 48]\nsamples = 2\n[[object]]\nmesh = \"cube\"\nshading = \"flat\"\n"
+        "color = [1, 1, 1, 0.5]\n");
+  EXPECT_EQ(run_tool({"warm", path("glass.toml")}, with_cache()).code, 0);
+  const std::set<std::string> stored = files();
+  const ToolResult result =
+      run_tool({"render", path("glass.toml"), "--frames", "0", "-o", path("frame.exr"), "--device", "0"}, with_cache());
+  EXPECT_EQ(result.code, 0) << result.err;
+  std::set<std::string> now = files();
+  now.erase("frame.exr");
+  EXPECT_EQ(now, stored);
+  expect_one_line_error(run_tool({"warm", path("missing.toml")}, with_cache()), 66, "missing.toml");
+}
+
 TEST_F(Device, WarmOfTheReferenceRendererIsAMistake) {
   expect_one_line_error(run_tool({"warm", "--device", "reference"}), 2, "compiles nothing");
 }
