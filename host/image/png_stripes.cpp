@@ -31,8 +31,10 @@ void PngStripes::begin(const FrameBuffer& frame, const PngPixels& pixels) {
   frame_ = &frame;
   bits_ = pixels.bits;
   exposure_ = pixels.exposure;
-  over_.reset();
-  if (pixels.background) over_.emplace(*pixels.background, exposure_);
+  if (pixels.background)
+    over_.emplace(*pixels.background, exposure_);
+  else
+    over_.reset();
   line_bytes_ = static_cast<std::size_t>(frame.width()) * (over_ ? 3 : straight_pixel_bytes(bits_));
   const auto lines = static_cast<std::size_t>(std::min(frame.height(), png_stripe_lines));
   pixels_.assign(line_bytes_ * (lines + 1), 0);
