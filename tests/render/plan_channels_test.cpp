@@ -91,8 +91,8 @@ const PlanNote* note_of(const PlanReport& report, std::string_view item) {
 }
 
 TEST(PlanChannels, ReportsSayWhatEachCosts) {
-  const Scene few = four_objects(default_channels), all = four_objects(every_channel);
-  const Planner planner_of_few(few), planner_of_all(all);
+  const Scene few = four_objects(default_channels), every = four_objects(every_channel);
+  const Planner planner_of_few(few), planner_of_all(every);
   const PlanReport two = explain(planner_of_few, 0), report = explain(planner_of_all, 0);
   for (const Channel channel : every_channel) {
     const PlanNote* const note = note_of(report, name_of(channel));
