@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "host/image/pixel_hash.hpp"
+#include "host/render/plan/transparency.hpp"
 #include "host/scene/model/material_list.hpp"
 #include "morphcl/version.hpp"
 
@@ -118,6 +119,8 @@ class SceneHasher {
     const auto& [name, positions, normals, colors, uvs, triangles, edges, targets] = mesh;
     add_all(positions, normals, colors, triangles, edges, targets);
     if (asked_for_.contains(Channel::uv)) add_all(std::string_view("uvs"), uvs);
+    // Earlier versions drew what has alpha as if it were opaque.
+    if (has_alpha(mesh)) add(std::string_view("vertex alpha"));
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
@@ -125,6 +128,7 @@ class SceneHasher {
     add_all(mesh, node, base_color, shading, double_sided, morph);
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
     if (alpha_mode != AlphaMode::blend) add_all(std::string_view("alpha_mode"), alpha_mode, alpha_cutoff);
+    if (alpha_mode == AlphaMode::blend && base_color.a < 1) add(std::string_view("alpha"));
   }
   void add(const ImageSettings& image) {
     const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error,

@@ -36,6 +36,13 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.image.channels.insert(Channel::velocity); },
       [](Scene& s) { s.image.channel_names = ChannelNames::nuke; },
       [](Scene& s) { s.image.p_error = 1e-6; },
+      [](Scene& s) { s.objects[0].material.base_color.a = 0.5; },
+      [](Scene& s) { s.objects[0].material.alpha_mode = AlphaMode::opaque; },
+      [](Scene& s) { s.objects[0].material.alpha_mode = AlphaMode::mask; },
+      [](Scene& s) {
+        s.objects[0].material.alpha_mode = AlphaMode::mask;
+        s.objects[0].material.alpha_cutoff = 0.25;
+      },
       [](Scene& s) { s.image.n_error = 1e-6; },
       [](Scene& s) { s.image.z_error = 1e-6; },
       [](Scene& s) { s.image.z_error = 1e-5; },

@@ -9,6 +9,8 @@ namespace {
 constexpr ChannelSet channels_of_shares{Channel::color, Channel::coverage, Channel::crypto_object,
                                         Channel::crypto_material};
 
+}  // namespace
+
 bool has_alpha(const Mesh& mesh) {
   const auto differs_from = [](float alpha) { return [alpha](const glm::vec4& color) { return color.a != alpha; }; };
   if (std::ranges::any_of(mesh.colors, differs_from(1))) return true;
@@ -16,8 +18,6 @@ bool has_alpha(const Mesh& mesh) {
     return std::ranges::any_of(target.colors, differs_from(target.form == TargetForm::absolute ? 1.0f : 0.0f));
   });
 }
-
-}  // namespace
 
 std::vector<bool> meshes_with_alpha(const Scene& scene) {
   std::vector<bool> result;

@@ -13,8 +13,9 @@ enum class Transparency {
   whole,  // nothing of it shows
 };
 
-// Of each mesh: some vertex or target has an alpha that is not that of an opaque mesh.
-std::vector<bool> meshes_with_alpha(const Scene& scene);
+// Some vertex or target has an alpha that is not that of an opaque mesh.
+bool has_alpha(const Mesh& mesh);
+std::vector<bool> meshes_with_alpha(const Scene& scene);  // the same of each
 
 // `vertex_alpha`: of its mesh, see meshes_with_alpha(). Where no channel shows shares of surfaces, all are of what has
 // an alpha of one half and more: an object of one alpha is there or not.
