@@ -13,6 +13,7 @@
 // A pixel is the sum of the background and of its parts in the order of their first samples, colour times number of
 // samples, over the number of all. A part is shaded at the pixel's centre where that is in its triangle, else at the
 // centroid: so a pixel that shows one primitive has the colour that a single sample has.
+// Where some draw is blended (-DBLENDS), layers.h finds what lies in front of the opaque surfaces before step 3.
 // One work-item draws a tile, and a launch a band of the picture, as of shade_tiles.
 
 #ifndef SAMPLES

@@ -10,6 +10,7 @@
 //   visible sample once, 16 pixels of a row at a time, and store.
 // A sample keeps the maximum of depth, of equal ones the lowest id, so the order of merging does not matter. Where the
 // plan proved that no sample is covered twice, samples are placed without being compared.
+// Where some draw is blended (-DBLENDS), layers.h finds what lies in front of the opaque surfaces before step 4.
 // One work-item draws a tile. A launch draws a band of the picture, whole rows of tiles: its first work-item has the
 // number of the first tile, and `picture` begins with that tile's first row.
 
