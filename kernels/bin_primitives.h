@@ -56,37 +56,41 @@ static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, float
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided) {
-  long area = (long)(b.x - a.x) * (c.y - a.y) - (long)(c.x - a.x) * (b.y - a.y);
+static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided, bool snaps) {
+  const long area = (long)(SUBPIXEL_OF(b.x) - SUBPIXEL_OF(a.x)) * (SUBPIXEL_OF(c.y) - SUBPIXEL_OF(a.y)) -
+                    (long)(SUBPIXEL_OF(c.x) - SUBPIXEL_OF(a.x)) * (SUBPIXEL_OF(b.y) - SUBPIXEL_OF(a.y));
   if (area == 0 || (area < 0 && !double_sided)) return;
   if (area < 0) {
     const int4 swapped = b;
     b = c;
     c = swapped;
-    area = -area;
   }
   turn_for_depth(&a, &b, &c);
-  const int first_x = max(FIRST_PIXEL(min(a.x, min(b.x, c.x))), 0),
-            first_y = max(FIRST_PIXEL(min(a.y, min(b.y, c.y))), 0);
-  const int last_x = min(LAST_PIXEL(max(a.x, max(b.x, c.x))), bins->width - 1);
-  const int last_y = min(LAST_PIXEL(max(a.y, max(b.y, c.y))), bins->height - 1);
+  const int vx[3] = {SUBPIXEL_OF(a.x), SUBPIXEL_OF(b.x), SUBPIXEL_OF(c.x)},
+            vy[3] = {SUBPIXEL_OF(a.y), SUBPIXEL_OF(b.y), SUBPIXEL_OF(c.y)};
+  const int first_x = max(FIRST_PIXEL(min(vx[0], min(vx[1], vx[2]))), 0),
+            first_y = max(FIRST_PIXEL(min(vy[0], min(vy[1], vy[2]))), 0);
+  const int last_x = min(LAST_PIXEL(max(vx[0], max(vx[1], vx[2]))), bins->width - 1),
+            last_y = min(LAST_PIXEL(max(vy[0], max(vy[1], vy[2]))), bins->height - 1);
   if (first_x > last_x || first_y > last_y) return;
 
   LargeTriangle t;
-  t.ax = a.x;
-  t.ay = a.y;
-  t.d1x = b.x - a.x;
-  t.d1y = b.y - a.y;
-  t.d2x = c.x - a.x;
-  t.d2y = c.y - a.y;
+  t.x[0] = CORNER_OF_PLANE(a.x, snaps);
+  t.x[1] = CORNER_OF_PLANE(b.x, snaps);
+  t.x[2] = CORNER_OF_PLANE(c.x, snaps);
+  t.y[0] = CORNER_OF_PLANE(a.y, snaps);
+  t.y[1] = CORNER_OF_PLANE(b.y, snaps);
+  t.y[2] = CORNER_OF_PLANE(c.y, snaps);
   t.id = id;
-  set_depth_plane(&t, a, b, c, area, bins->frame);
+  const int dx[3] = {vx[1] - vx[0], vx[2] - vx[1], vx[0] - vx[2]},
+            dy[3] = {vy[1] - vy[0], vy[2] - vy[1], vy[0] - vy[2]};
+  const long margin = snaps ? 0 : margin_of_large(dx, dy);
+  set_depth_plane(&t, a, b, c, bins->frame);
+  keep_margin(&t, margin);
   const uint number = bins->large_count++;
   if (number >= bins->large_capacity) return;
   bins->large[number] = t;
 
-  const int dx[3] = {t.d1x, c.x - b.x, -t.d2x}, dy[3] = {t.d1y, c.y - b.y, -t.d2y};
-  const int vx[3] = {a.x, b.x, c.x}, vy[3] = {a.y, b.y, c.y};
   const long reach = (TILE - 1) * SUBPIXELS + (LAST_SAMPLE - FIRST_SAMPLE);
   for (int tile_y = first_y / TILE; tile_y <= last_y / TILE; tile_y++)
     for (int tile_x = first_x / TILE; tile_x <= last_x / TILE; tile_x++) {
@@ -95,7 +99,7 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
       FOR_THREE(e) {
         const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py);
         misses |= value + max(-dy[e], 0) * reach + max(dx[e], 0) * reach < 0;
-        covers &= value + min(-dy[e], 0) * reach + min(dx[e], 0) * reach >= 0;
+        covers &= value + min(-dy[e], 0) * reach + min(dx[e], 0) * reach >= margin;
       }
       if (misses) continue;
       const uint at = next_entry(&bins->entries, (uint)(tile_y * bins->tiles_x + tile_x));
@@ -108,6 +112,27 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
 static inline long floor_divide(long numerator, long denominator) {  // denominator > 0
   const long quotient = numerator / denominator;
   return quotient * denominator > numerator ? quotient - 1 : quotient;
+}
+
+// Along its longer axis, from the end that comes first there, and across; sub-pixels.
+typedef struct {
+  bool steep;
+  int start, stop, across, rise;
+  LineDepth depth;
+} ScreenLine;
+static inline ScreenLine screen_line(int4 a, int4 b, global const FrameConstants* frame) {
+  const int ax = SUBPIXEL_OF(a.x), ay = SUBPIXEL_OF(a.y), bx = SUBPIXEL_OF(b.x), by = SUBPIXEL_OF(b.y);
+  ScreenLine line;
+  line.steep = abs(by - ay) > abs(bx - ax);
+  const bool turned = line.steep ? by < ay : bx < ax;
+  const int first = line.steep ? ay : ax, second = line.steep ? by : bx;
+  const int beside_first = line.steep ? ax : ay, beside_second = line.steep ? bx : by;
+  line.start = turned ? second : first;
+  line.stop = turned ? first : second;
+  line.across = turned ? beside_second : beside_first;
+  line.rise = turned ? beside_first - beside_second : beside_second - beside_first;
+  line.depth = turned ? line_depth(b, a, line.steep, frame) : line_depth(a, b, line.steep, frame);
+  return line;
 }
 
 // What a wide line leaves at a pixel.
@@ -134,24 +159,19 @@ static inline void add_line_fragments(Bins* bins, bool steep, int along, int oth
 // One pixel for each column (or, in steep lines, row) whose centre lies in the half-open run from the first end to the
 // last; the pixel is the one the exact line passes through there.
 static inline void bin_thin_line(Bins* bins, int4 a, int4 b, uint id) {
-  const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
-  if (steep ? b.y < a.y : b.x < a.x) {
-    const int4 swapped = a;
-    a = b;
-    b = swapped;
-  }
-  const int start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
-  const long run = stop - start, rise = (steep ? b.x - a.x : b.y - a.y);
+  const ScreenLine line = screen_line(a, b, bins->frame);
+  const bool steep = line.steep;
+  const int start = line.start, stop = line.stop, across = line.across;
+  const long run = stop - start, rise = line.rise;
   if (run == 0) return;
   const int limit = steep ? bins->height : bins->width, across_limit = steep ? bins->width : bins->height;
   const int first = max(FIRST_PIXEL(start), 0), last = min(LAST_PIXEL(stop - 1), limit - 1);
-  const LineDepth depth = line_depth(a, b, bins->frame);
   for (int along = first; along <= last; along++) {
     const long offset = along * SUBPIXELS + HALF_PIXEL - start;
     const long other = floor_divide(across * run + rise * offset, run * SUBPIXELS);
     if (other < 0 || other >= across_limit) continue;
     uint depth_bits;
-    if (!depth_on_line(&depth, offset, run, &depth_bits)) continue;
+    if (!depth_on_line(&line.depth, offset, run, &depth_bits)) continue;
     add_fragment(bins, steep ? (int)other : along, steep ? along : (int)other, depth_bits, id);
   }
 }
@@ -167,21 +187,16 @@ static inline long half_thickness(long run, long rise, uint width) {
 
 // A parallelogram: as long as the line along its longer axis, half open, and half_thickness() to both sides of it.
 static inline void bin_wide_line(Bins* bins, int4 a, int4 b, uint width, uint id) {
-  const bool steep = abs(b.y - a.y) > abs(b.x - a.x);
-  if (steep ? b.y < a.y : b.x < a.x) {
-    const int4 swapped = a;
-    a = b;
-    b = swapped;
-  }
-  const int start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
-  const long run = stop - start, rise = (steep ? b.x - a.x : b.y - a.y);
+  const ScreenLine line = screen_line(a, b, bins->frame);
+  const bool steep = line.steep;
+  const int start = line.start, stop = line.stop, across = line.across;
+  const long run = stop - start, rise = line.rise;
   if (run == 0) return;
   const long thickness = half_thickness(run, rise, width) * run;
   const int limit = steep ? bins->height : bins->width, across_limit = steep ? bins->width : bins->height;
   // Of a pixel to the one next to it the line moves by a pixel across at most.
   const long reach = thickness / run / SUBPIXELS + 2;
   const int first = max(FIRST_PIXEL(start), 0), last = min(LAST_PIXEL(stop), limit - 1);
-  const LineDepth depth = line_depth(a, b, bins->frame);
   for (int along = first; along <= last; along++) {
     const long centre_offset = along * SUBPIXELS + HALF_PIXEL - start;
     const long middle = floor_divide(across * run + rise * centre_offset, run * SUBPIXELS);
@@ -196,7 +211,7 @@ static inline void bin_wide_line(Bins* bins, int4 a, int4 b, uint width, uint id
         const long beside = run * (other * SUBPIXELS + HALF_PIXEL + across_sample - across) - rise * offset;
         if (offset >= 0 && offset < run && beside >= -thickness && beside < thickness) mask |= 1u << s;
       }
-      if (mask) add_line_fragments(bins, steep, along, other, &depth, centre_offset, run, mask, id);
+      if (mask) add_line_fragments(bins, steep, along, other, &line.depth, centre_offset, run, mask, id);
     }
   }
 }
@@ -213,10 +228,6 @@ static inline void bin_line(Bins* bins, int4 a, int4 b, uint width, uint id) {
 
 // ---- small triangles ------------------------------------------------------------------------------------------------
 
-typedef struct {
-  int16 x[3], y[3], depth[3];
-} Triangles;
-
 // Edge value of each lane, less 1 where a centre on the edge belongs to the neighbour.
 static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px, int16 py) {
   const int16 owns_edge = (dy < 0) | ((dy == 0) & (dx > 0));
@@ -232,18 +243,24 @@ static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px
 static inline void bin_triangle_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,
                                       global const int4* vertices, uint first, uint first_id) {
   // Front faces get a positive area: on the screen y points down, so the second and third corner change places.
-  const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0;
+  const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0,
+             snaps = snaps_plane(draw);
   global const uint* corner_a = indices + draw->indices + first;
   global const uint* corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
   global const uint* corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
   global const int4* records = vertices + (size_t)draw->first_vertex_group * LANES;
   Triangles t;
   int16 unused;
-  GATHER_RECORDS(records, corner_a, t.x[0], t.y[0], t.depth[0], unused)
-  GATHER_RECORDS(records, corner_b, t.x[1], t.y[1], t.depth[1], unused)
-  GATHER_RECORDS(records, corner_c, t.x[2], t.y[2], t.depth[2], unused)
-
-  const int16 clipped = (t.x[0] == OUTSIDE) | (t.x[1] == OUTSIDE) | (t.x[2] == OUTSIDE);
+  GATHER_RECORDS(records, corner_a, t.corner_x[0], t.corner_y[0], t.depth[0], unused)
+  GATHER_RECORDS(records, corner_b, t.corner_x[1], t.corner_y[1], t.depth[1], unused)
+  GATHER_RECORDS(records, corner_c, t.corner_x[2], t.corner_y[2], t.depth[2], unused)
+  const int16 clipped = (t.corner_x[0] == OUTSIDE) | (t.corner_x[1] == OUTSIDE) | (t.corner_x[2] == OUTSIDE);
+  FOR_THREE(i) {
+    t.x[i] = SUBPIXEL_OF(t.corner_x[i]);
+    t.y[i] = SUBPIXEL_OF(t.corner_y[i]);
+    t.corner_x[i] = CORNER_OF_PLANE(t.corner_x[i], snaps);
+    t.corner_y[i] = CORNER_OF_PLANE(t.corner_y[i], snaps);
+  }
   const int16 low_x = min(t.x[0], min(t.x[1], t.x[2])), high_x = max(t.x[0], max(t.x[1], t.x[2]));
   const int16 low_y = min(t.y[0], min(t.y[1], t.y[2])), high_y = max(t.y[0], max(t.y[1], t.y[2]));
   const int16 first_x = FIRST_PIXEL(low_x), first_y = FIRST_PIXEL(low_y);
@@ -262,15 +279,16 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
     Triangles turned = t;
     if (double_sided) {
       const int16 back = area < 0;
-      turned.x[1] = select(t.x[1], t.x[2], back);
-      turned.x[2] = select(t.x[2], t.x[1], back);
-      turned.y[1] = select(t.y[1], t.y[2], back);
-      turned.y[2] = select(t.y[2], t.y[1], back);
-      turned.depth[1] = select(t.depth[1], t.depth[2], back);
-      turned.depth[2] = select(t.depth[2], t.depth[1], back);
+      for (int i = 1; i < 3; i++) {
+        turned.x[i] = select(t.x[i], t.x[3 - i], back);
+        turned.y[i] = select(t.y[i], t.y[3 - i], back);
+        turned.corner_x[i] = select(t.corner_x[i], t.corner_x[3 - i], back);
+        turned.corner_y[i] = select(t.corner_y[i], t.corner_y[3 - i], back);
+        turned.depth[i] = select(t.depth[i], t.depth[3 - i], back);
+      }
       area = select(area, -area, back);
     }
-    rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
+    rasterize_small_triangles(bins, turned, area, snaps, small, first_x, first_y, last_x, last_y, first_id);
   }
   const ulong2 lanes = mask_bytes(large);
   for (int half_vector = 0; half_vector < 2; half_vector++)
@@ -278,7 +296,7 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
       const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
       bytes = without_lane(bytes, in_half);
       bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
-                         first_id + (uint)lane * PIECES, double_sided);
+                         first_id + (uint)lane * PIECES, double_sided, snaps);
     }
 }
 
@@ -301,7 +319,7 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
   const uint second = draw->flags & DRAW_MIRRORED ? 0 : 1;
   for (uint i = 1; i + 1 < count; i++)
     bin_large_triangle(bins, corners[0], corners[i + second], corners[i + 1 - second], first_id + i,
-                       (draw->flags & DRAW_DOUBLE_SIDED) != 0);
+                       (draw->flags & DRAW_DOUBLE_SIDED) != 0, snaps_plane(draw));
 }
 
 // Whose lists the next primitives go into.

@@ -141,17 +141,18 @@ static inline void sort_in_fragment(LayerPlanes* planes, Tile tile, PixelInTile 
 
 // Sorts in what a large triangle covers in rows first..last of the tile, all in one block.
 static inline void sort_in_rows(LayerPlanes* planes, Tile tile, const TileEdges* edges, global const LargeTriangle* t,
-                                TileDepth corner, int block, int first, int last) {
+                                TileDepth origin, int block, int first, int last) {
   const int column = column_of(block);
   for (int y = first; y <= last; y++) {
 #if SAMPLES == 1
-    int16 inside = 0;
-    FOR_THREE(e) inside |= edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * y;
-    const int16 covered = (inside >= 0) & in_range(t, corner, column, y);
-    sort_in(planes, tile, block, y - row_of(block), 0, depths_in_row(t, corner, column, y),
-            (uint16)(t->id + 1u) & as_uint16(covered));
+    const int16 min_value = min_edge_values(edges, column, y);
+    const int16 covered = (min_value >= 0) & in_range(t, origin, column, y);
+    const Depths depth = any_lane(beside_edges(edges, min_value))
+                             ? depths_beside_edges(t, origin, tile.x, tile.y, column, y)
+                             : depths_in_row(t, origin, column, y);
+    sort_in(planes, tile, block, y - row_of(block), 0, depth, (uint16)(t->id + 1u) & as_uint16(covered));
 #else
-    const SampleRow samples = sample_row(t, corner, column, y);
+    const SampleRow samples = sample_row(t, origin, column, y);
     for (int k = 0; k < SAMPLES; k++) {
       int16 inside = 0;
       FOR_THREE(e)
@@ -166,18 +167,18 @@ static inline void sort_in_rows(LayerPlanes* planes, Tile tile, const TileEdges*
 }
 
 // The blocks of the tile in which the triangle may show something, -1 a lane, and its edges there.
-static inline int16 reached_blocks(Tile tile, const Blocks* blocks, global const LargeTriangle* t, TileDepth corner,
+static inline int16 reached_blocks(Tile tile, const Blocks* blocks, global const LargeTriangle* t, TileDepth origin,
                                    bool entire_tile, TileEdges* edges) {
   const TileBox box = box_of(t, tile);
   const int16 left = max(BLOCK_X, (int16)(box.first_column)),
               right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
   const int16 top = max(BLOCK_Y, (int16)(box.first_row)),
               bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
-  const DepthBounds depth = depths_in_boxes(t, corner, left, right, top, bottom);
+  const DepthBounds depth = depths_in_boxes(t, origin, left, right, top, bottom);
   int16 misses = (left > right) | (top > bottom) | (depth.max < blocks->min), covers = 0;
   if (!any_lane(~misses)) return 0;
   if (entire_tile)
-    FOR_THREE(e) pass_all_samples(edges, e);
+    pass_all_edges(edges);
   else
     find_covered_blocks(t, tile, edges, &misses, &covers);
   return ~misses;
@@ -222,11 +223,11 @@ static inline void sort_layers(LayerPlanes* planes, const BlendedLists* lists, T
         const int first = max(strip * TILE_BLOCK, box.first_row),
                   last = min(strip * TILE_BLOCK + TILE_BLOCK - 1, box.last_row);
         if (first > last) continue;
-        const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
+        const TileDepth origin = depth_of_tile(t, tile.x, tile.y);
         TileEdges edges;
-        const int16 reached = reached_blocks(tile, blocks, t, corner, (entry & ENTIRE_TILE) != 0, &edges);
+        const int16 reached = reached_blocks(tile, blocks, t, origin, (entry & ENTIRE_TILE) != 0, &edges);
         FOR_EACH_LANE(block, reached & (LANE / TILE_BLOCKS == strip))
-        sort_in_rows(planes, tile, &edges, t, corner, block, first, last);
+        sort_in_rows(planes, tile, &edges, t, origin, block, first, last);
       }
   }
 }

@@ -66,8 +66,13 @@ static inline void set_centroids_of_coverage(const Surface* surface, Pixels* p) 
   const float16 low = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
                 high = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
   if (!any_lane((low < 0.0f) & (high > 0.0f))) return;
-  const long16 area = convert_long16(surface->x[1] - surface->x[0]) * convert_long16(surface->y[2] - surface->y[0]) -
-                      convert_long16(surface->x[2] - surface->x[0]) * convert_long16(surface->y[1] - surface->y[0]);
+  int16 vx[3], vy[3];
+  FOR_THREE(i) {
+    vx[i] = SUBPIXEL_OF(surface->x[i]);
+    vy[i] = SUBPIXEL_OF(surface->y[i]);
+  }
+  const long16 area = convert_long16(vx[1] - vx[0]) * convert_long16(vy[2] - vy[0]) -
+                      convert_long16(vx[2] - vx[0]) * convert_long16(vy[1] - vy[0]);
   const int16 positive = convert_int16(area > 0);
   int16 sum_x = 0, sum_y = 0, count = 0;
   for (int i = 0; i < SAMPLES; i++) {
@@ -75,11 +80,11 @@ static inline void set_centroids_of_coverage(const Surface* surface, Pixels* p) 
     int16 covered = -1;
     FOR_THREE(e) {
       const int next = (e + 1) % 3;
-      const int16 dx = select(surface->x[e] - surface->x[next], surface->x[next] - surface->x[e], positive),
-                  dy = select(surface->y[e] - surface->y[next], surface->y[next] - surface->y[e], positive);
+      const int16 dx = select(vx[e] - vx[next], vx[next] - vx[e], positive),
+                  dy = select(vy[e] - vy[next], vy[next] - vy[e], positive);
       const int16 owns_edge = (dy < 0) | ((dy == 0) & (dx > 0));
-      const long16 value = convert_long16(dx) * convert_long16(y - surface->y[e]) -
-                           convert_long16(dy) * convert_long16(x - surface->x[e]);
+      const long16 value =
+          convert_long16(dx) * convert_long16(y - vy[e]) - convert_long16(dy) * convert_long16(x - vx[e]);
       covered &= select(convert_int16(value > 0), convert_int16(value >= 0), owns_edge);
     }
     sum_x += covered & sample_x[i];
@@ -100,7 +105,7 @@ ALWAYS_INLINE BlendedSurface blended_surface(const Shader* s, const Surface* sur
   BlendedSurface result;
   result.alpha = surface_alpha(s, surface, p);
   result.color.r = result.color.g = result.color.b = 0.0f;
-  if (s->frame->writes_color) result.color = surface_color(s, surface, p);
+  if (s->frame->writes_color) result.color = shade_surface(s, surface, p).color;
   return result;
 }
 

@@ -45,13 +45,15 @@
 #define SUBPIXEL_BITS 8                  // vertices are snapped to 1/256 pixel
 #define SUBPIXELS (1 << SUBPIXEL_BITS)
 #define HALF_PIXEL (SUBPIXELS / 2)
-#define MAX_SUBPIXEL 0x1p23f     // snapped coordinates within the guard band are at most this
-#define MAX_GUARD 4096.0f        // of the guard band's factor, so that tiny images do not overflow w
-#define SMALL_PIXELS 8           // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
-#define PAGE 64                  // entries a page of the bins
-#define ENTIRE_TILE 0x80000000u  // in an entry: the triangle covers all of the tile
-#define CLIP_VERTICES 8          // corners at most of a triangle that all planes cut
-#define PIECE_BITS 3             // of an id: a primitive as it is, or a piece of what clipping left
+#define MAX_SUBPIXEL 8388604.0f          // snapped coordinates within the guard band are at most this: 2^23 - 4
+#define CORNER_BITS 7                    // vertex records have corners in corner units, 1/128 sub-pixel: coverage takes
+#define CORNER_UNITS (1 << CORNER_BITS)  // the nearest sub-pixel, planes go through where they are
+#define MAX_GUARD 4096.0f                // of the guard band's factor, so that tiny images do not overflow w
+#define SMALL_PIXELS 8                   // a triangle over at most 8 x 8 pixel centres is rasterised while it is binned
+#define PAGE 64                          // entries a page of the bins
+#define ENTIRE_TILE 0x80000000u          // in an entry: the triangle covers all of the tile
+#define CLIP_VERTICES 8                  // corners at most of a triangle that all planes cut
+#define PIECE_BITS 3                     // of an id: a primitive as it is, or a piece of what clipping left
 #define PIECES (1 << PIECE_BITS)
 #define VERTEX_GROUPS_PER_CHUNK 64
 
@@ -101,6 +103,9 @@
 #define DRAW_TWO_FLOAT 128u      // vertices are computed in two floats
 #define DRAW_LIT_PER_PIXEL 256u  // of a flat draw: face_colors holds its faces' normals, which are lit per pixel
 #define DRAW_BLENDED 512u        // what lies behind shows through: it goes into lists of its own
+// Visibility is that of the plane through the sub-pixels that corners are snapped to; distances are interpolated like
+// attributes, whose weights the shading of such draws needs anyway.
+#define DRAW_INTERPOLATES_DISTANCE 1024u
 // Channel N takes the vertices' normals, or those of the faces; of lines neither.
 #define DRAW_VERTEX_NORMALS 4096u
 #define DRAW_FACE_NORMALS 8192u
@@ -244,9 +249,9 @@ typedef struct {
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
   uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
-  uint channels;    // the table of ChannelConstants
-  uint writes_ids;  // tiles leave tables of ids, for shade_channels
-  uint pad;
+  uint channels;               // the table of ChannelConstants
+  uint writes_ids;             // tiles leave tables of ids, for shade_channels
+  uint interpolates_distance;  // some draw does
 } FrameConstants;
 
 #include "channel_layout.h"
@@ -254,12 +259,10 @@ typedef struct {
 // How depth runs over a triangle a b c: kernels/reversed_depth.h and kernels/forward_depth.h.
 #if DEPTH_FORMAT == DEPTH_REVERSED_FLOAT
 typedef struct {
-  float depth;   // at a, the farthest corner
-  float depth1;  // at b minus at a
-  float depth2;  // at c minus at a
-  float inverse_area;
+  float depth, nearest;      // at a, the farthest corner, and at the nearest one
   float depth_dx, depth_dy;  // per pixel
-  uint pad[3];
+  int margin;                // margin_of_large() in whole pixel steps, as edges in tiles have it
+  uint pad[4];
 } DepthPlane;
 #else
 typedef struct {
@@ -271,9 +274,7 @@ typedef struct {
 
 // A triangle that is rasterised in the tiles.
 typedef struct {
-  int ax, ay;    // sub-pixels
-  int d1x, d1y;  // b - a
-  int d2x, d2y;  // c - a
+  int x[3], y[3];  // corner units
   uint id;
   DepthPlane plane;
 } LargeTriangle;

@@ -15,12 +15,6 @@ typedef struct {
   float16 r, g, b;
 } Rgb;
 
-// a b - c d within 1.5 ulp (Kahan): the rounding error of c d is computed by fma and put back.
-ALWAYS_INLINE float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
-  const float16 product = c * d;
-  return fma(a, b, -product) + fma(-c, d, product);
-}
-
 ALWAYS_INLINE float16 dot_product(EyeVector a, EyeVector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
 // ambient + sum of color * max(cos, 0) (/ distance^2 where the light falls off). The normal has any length; where it is

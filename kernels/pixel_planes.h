@@ -68,9 +68,9 @@ static inline void survey_blocks(Tile tile, Blocks* blocks) {
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
 // The least and the greatest depth at the samples of boxes of pixels.
-static inline DepthBounds depths_in_boxes(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right,
+static inline DepthBounds depths_in_boxes(global const LargeTriangle* t, TileDepth origin, int16 left, int16 right,
                                           int16 top, int16 bottom) {
-  return depth_bounds(t, corner, left, right, top, bottom);
+  return depth_bounds(t, origin, left, right, top, bottom);
 }
 
 static inline void write_out_block(Tile tile, int block, uint content, global const LargeTriangle* large,
@@ -84,34 +84,75 @@ static inline void write_out_block(Tile tile, int block, uint content, global co
     return;
   }
   global const LargeTriangle* t = &large[content];
-  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
+  const TileDepth origin = depth_of_tile(t, tile.x, tile.y);
+  const BlockColumns columns = block_columns(origin, column);
   for (int y = row; y < row + TILE_BLOCK; y++) {
-    tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_row(t, corner, column, y);
+    tile.depth[y * ROW_VECTORS + column / LANES] = depths_in_covered_row(t, origin, columns, y);
     tile.id[y * ROW_VECTORS + column / LANES] = t->id;
   }
 }
 
+// The least of the edges' functions at sixteen pixels of a row: at least 0 where they are covered.
+ALWAYS_INLINE int16 min_edge_values(const TileEdges* edges, int column, int row) {
+  int16 value[3];
+  FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * row;
+  return min(value[0], min(value[1], value[2]));
+}
+// Of those, what is covered and may be outside the corners.
+ALWAYS_INLINE int16 beside_edges(const TileEdges* edges, int16 min_value) {
+  return as_uint16(min_value) < (uint)edges->margin;
+}
+
+// Puts one row's pixels where the triangle `covers` into the tile's planes; returns the depths held there then.
+ALWAYS_INLINE Depths draw_row(Tile tile, global const LargeTriangle* t, TileDepth origin, Depths depth, int16 covers,
+                              int column, int row, bool tests_depth) {
+  const int at = row * ROW_VECTORS + column / LANES;
+  const uint id = t->id;
+  const Depths held = tile.depth[at];
+  const uint16 held_id = tile.id[at];
+  int16 wins = covers & in_range(t, origin, column, row);
+  if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
+  const Depths kept = select(held, depth, wins);
+  tile.depth[at] = kept;
+  tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
+  return kept;
+}
+
+// The pixels that draw_in_rows() leaves: those beside edges, in the rows from `first` on that have a bit in some lane
+// of `rows`. Returns the least depth held in first..last then.
+static RARELY_CALLED Depths draw_beside_edges(Tile tile, const TileEdges* edges, global const LargeTriangle* t,
+                                              TileDepth origin, int column, int first, int last, int16 rows,
+                                              bool tests_depth) {
+  const int8 halves = rows.lo | rows.hi;
+  const int4 quarters = halves.lo | halves.hi;
+  const int all = quarters.x | quarters.y | quarters.z | quarters.w;
+  Depths min_held = NEAREST_DEPTH;
+  for (int y = first; y <= last; y++) {
+    if (all >> (y - first) & 1)
+      draw_row(tile, t, origin, depths_beside_edges(t, origin, tile.x, tile.y, column, y),
+               beside_edges(edges, min_edge_values(edges, column, y)), column, y, tests_depth);
+    min_held = min(min_held, tile.depth[y * ROW_VECTORS + column / LANES]);
+  }
+  return min_held;
+}
+
 // Puts the triangle's samples in the rows first..last of a block into the tile's planes: those in front of what is
 // held or, without a depth test, all that it covers. Returns the least depth held there then.
-ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner,
+ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth origin,
                                   int block, int first, int last, bool tests_depth) {
   const int column = column_of(block);
   int16 value[3];
   FOR_THREE(e) value[e] = edges->value[e] + edges->step_x[e] * (column + LANE) + edges->step_y[e] * first;
-  const uint id = t->id;
   Depths min_held = NEAREST_DEPTH;
+  int16 rows = 0;  // a bit a row: where some pixel is beside an edge
   for (int y = first; y <= last; y++) {
-    const int at = y * ROW_VECTORS + column / LANES;
-    const Depths depth = depths_in_row(t, corner, column, y), held = tile.depth[at];
-    const uint16 held_id = tile.id[at];
-    int16 wins = ((value[0] | value[1] | value[2]) >= 0) & in_range(t, corner, column, y);
-    if (tests_depth) wins &= (depth > held) | ((depth == held) & (id < held_id));
-    const Depths kept = select(held, depth, wins);
-    tile.depth[at] = kept;
-    tile.id[at] = select(held_id, (uint16)(id), as_uint16(wins));
-    min_held = min(min_held, kept);
+    const int16 min_value = min(value[0], min(value[1], value[2]));
+    rows |= beside_edges(edges, min_value) & (1 << (y - first));
+    min_held = min(min_held, draw_row(tile, t, origin, depths_in_row(t, origin, column, y), min_value >= edges->margin,
+                                      column, y, tests_depth));
     FOR_THREE(e) value[e] += edges->step_y[e];
   }
+  if (any_lane(rows != 0)) return draw_beside_edges(tile, edges, t, origin, column, first, last, rows, tests_depth);
   return min_held;
 }
 

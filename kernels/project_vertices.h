@@ -2,7 +2,7 @@
 //
 // In:  mesh data (planes of x, y, z, ... padded to 16), the draws, their active targets, what precise ones need, the
 //      numbers of the chunks that changed since the frame before.
-// Out: vertices[i]   int4 {x, y in sub-pixels, bits of depth (of forward depth buffers: the distance), bits of 1/w};
+// Out: vertices[i]   int4 {x, y in corner units, bits of depth (of forward depth buffers: the distance), bits of 1/w};
 //                    {OUTSIDE, outcode, 0, 0} where clipping is due
 //      attributes[i] float4: smooth draws: unit normal in eye space; flat draws: morphed position in object space; and
 //                    where channel N needs one of them

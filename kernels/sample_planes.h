@@ -51,9 +51,10 @@ ALWAYS_INLINE void split_samples(uint16* ids) {
   }
 }
 
-// The mean of the offsets of `count` samples, in sub-pixels, rounded to nearest even.
+// The mean of the offsets of `count` samples, in sub-pixels, rounded to nearest even; of all samples the centre.
 ALWAYS_INLINE int16 mean_offset(int16 sum, float16 count) {
-  return convert_int16_rte(convert_float16(sum * SAMPLE_UNIT) / count);
+  const int16 mean = convert_int16_rte(convert_float16(sum * SAMPLE_UNIT) / count);
+  return select(mean, (int16)(0), count == (float)SAMPLES);
 }
 
 // ---- fragments ------------------------------------------------------------------------------------------------------
@@ -129,13 +130,13 @@ static inline void survey_blocks(Tile tile, uint touched, Blocks* blocks) {
 #ifdef FORWARD_DEPTH
 typedef struct {
   global const LargeTriangle* triangle;
-  TileDepth corner;
+  TileDepth origin;
   int column, row;
 } SampleRow;
-ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth corner, int column, int row) {
+ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth origin, int column, int row) {
   SampleRow samples;
   samples.triangle = t;
-  samples.corner = corner;
+  samples.origin = origin;
   samples.column = column;
   samples.row = row;
   return samples;
@@ -145,12 +146,13 @@ ALWAYS_INLINE TwoFloats normalized_depth_of_samples(const SampleRow* r, int vect
   const long16 across = convert_long16((LANE / SAMPLES + r->column + vector * VECTOR_PIXELS) * SUBPIXELS +
                                        SAMPLE_X_OF_LANES * SAMPLE_UNIT),
                down = convert_long16(r->row * SUBPIXELS + SAMPLE_Y_OF_LANES * SAMPLE_UNIT);
-  const long16 part_b = r->corner.part_b + across * t->d2y - down * t->d2x,
-               part_c = r->corner.part_c + down * t->d1x - across * t->d1y;
+  const SnappedEdges d = r->origin.edges;
+  const long16 part_b = r->origin.part_b + across * d.d2y - down * d.d2x,
+               part_c = r->origin.part_c + down * d.d1x - across * d.d1y;
   const TwoFloats a = two_floats((float16)(t->plane.a[0]), (float16)(t->plane.a[1]));
   const TwoFloats b = two_floats((float16)(t->plane.b[0]), (float16)(t->plane.b[1]));
   const TwoFloats c = two_floats((float16)(t->plane.c[0]), (float16)(t->plane.c[1]));
-  return interpolated(a, b, c, from_longs(r->corner.area - part_b - part_c), from_longs(part_b), from_longs(part_c));
+  return interpolated(a, b, c, from_longs(r->origin.area - part_b - part_c), from_longs(part_b), from_longs(part_c));
 }
 ALWAYS_INLINE Depths depths_of_samples(const SampleRow* r, int vector) {
   return min(max(key_of(normalized_depth_of_samples(r, vector)), (uint16)(r->triangle->plane.min_key)),
@@ -162,14 +164,16 @@ ALWAYS_INLINE int16 samples_in_range(const SampleRow* r, int vector) {
 }
 #else
 typedef struct {
-  float16 depth_dx, x, depth_at_0;  // x of the first vector; where x is 0
+  float16 depth_dx, x, depth_at_0;  // x of the first vector, from the origin; where x is 0
 } SampleRow;
-ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth corner, int column, int row) {
+ALWAYS_INLINE SampleRow sample_row(global const LargeTriangle* t, TileDepth origin, int column, int row) {
   SampleRow samples;
   samples.depth_dx = t->plane.depth_dx;
-  samples.x = convert_float16(LANE / SAMPLES + column) + convert_float16(SAMPLE_X_OF_LANES) * PIXELS_OF_SAMPLE_UNIT;
+  samples.x = convert_float16(LANE / SAMPLES + (column - origin.column)) +
+              convert_float16(SAMPLE_X_OF_LANES) * PIXELS_OF_SAMPLE_UNIT;
   samples.depth_at_0 = fma((float16)(t->plane.depth_dy),
-                           (float)row + convert_float16(SAMPLE_Y_OF_LANES) * PIXELS_OF_SAMPLE_UNIT, (float16)(corner));
+                           (float)(row - origin.row) + convert_float16(SAMPLE_Y_OF_LANES) * PIXELS_OF_SAMPLE_UNIT,
+                           (float16)(origin.depth));
   return samples;
 }
 ALWAYS_INLINE Depths depths_of_samples(const SampleRow* r, int vector) {
@@ -179,20 +183,21 @@ ALWAYS_INLINE int16 samples_in_range(const SampleRow* r, int vector) { return (i
 #endif
 
 // The least and the greatest depth at the samples of boxes of pixels.
-static inline DepthBounds depths_in_boxes(global const LargeTriangle* t, TileDepth corner, int16 left, int16 right,
+static inline DepthBounds depths_in_boxes(global const LargeTriangle* t, TileDepth origin, int16 left, int16 right,
                                           int16 top, int16 bottom) {
 #ifdef FORWARD_DEPTH
-  return depth_bounds(t, corner, left, right, top, bottom);
+  return depth_bounds(t, origin, left, right, top, bottom);
 #else
   const float first = MIN_SAMPLE(SAMPLES) * PIXELS_OF_SAMPLE_UNIT, last = MAX_SAMPLE(SAMPLES) * PIXELS_OF_SAMPLE_UNIT;
   const float depth_dx = t->plane.depth_dx, depth_dy = t->plane.depth_dy;
-  const float16 x0 = convert_float16(left) + first, x1 = convert_float16(right) + last;
-  const float16 y0 = convert_float16(top) + first, y1 = convert_float16(bottom) + last;
+  const float16 x0 = convert_float16(left - origin.column) + first, x1 = convert_float16(right - origin.column) + last;
+  const float16 y0 = convert_float16(top - origin.row) + first, y1 = convert_float16(bottom - origin.row) + last;
   const float16 farthest_x = depth_dx < 0.0f ? x1 : x0, nearest_x = depth_dx < 0.0f ? x0 : x1;
   const float16 farthest_y = depth_dy < 0.0f ? y1 : y0, nearest_y = depth_dy < 0.0f ? y0 : y1;
   DepthBounds bounds;
-  bounds.min = fma((float16)(depth_dx), farthest_x, fma((float16)(depth_dy), farthest_y, (float16)(corner)));
-  bounds.max = fma((float16)(depth_dx), nearest_x, fma((float16)(depth_dy), nearest_y, (float16)(corner)));
+  const float16 dx = depth_dx, dy = depth_dy, start = origin.depth;
+  bounds.min = fma(dx, farthest_x, fma(dy, farthest_y, start));
+  bounds.max = fma(dx, nearest_x, fma(dy, nearest_y, start));
   return bounds;
 #endif
 }
@@ -204,9 +209,9 @@ static inline void write_out_block(Tile tile, int block, uint content, global co
     return;
   }
   global const LargeTriangle* t = &large[content];
-  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
+  const TileDepth origin = depth_of_tile(t, tile.x, tile.y);
   for (int row = 0; row < TILE_BLOCK; row++) {
-    const SampleRow samples = sample_row(t, corner, column_of(block), row_of(block) + row);
+    const SampleRow samples = sample_row(t, origin, column_of(block), row_of(block) + row);
     for (int k = 0; k < SAMPLES; k++) {
       const int at = block * BLOCK_VECTORS + row * SAMPLES + k;
       tile.depth[at] = depths_of_samples(&samples, k);
@@ -217,7 +222,7 @@ static inline void write_out_block(Tile tile, int block, uint content, global co
 
 // Puts the triangle's samples in the rows first..last of a block into the tile's planes: those in front of what is held
 // or, without a depth test, all that it covers. Returns the least depth held there then.
-ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth corner,
+ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global const LargeTriangle* t, TileDepth origin,
                                   int block, int first, int last, bool tests_depth) {
   const int column = column_of(block);
   int16 row_value[3];
@@ -230,7 +235,7 @@ ALWAYS_INLINE Depths draw_in_rows(Tile tile, const TileEdges* edges, global cons
     int16 value[3];
     FOR_THREE(e) value[e] = row_value[e];
     const int row_at = block * BLOCK_VECTORS + (y - row_of(block)) * SAMPLES;
-    const SampleRow samples = sample_row(t, corner, column, y);
+    const SampleRow samples = sample_row(t, origin, column, y);
     _Pragma("unroll(4)") for (int k = 0; k < SAMPLES; k++) {
       const int at = row_at + k;
       const Depths held = tile.depth[at], depth = depths_of_samples(&samples, k);

@@ -14,11 +14,6 @@
 #include "tables.h"
 #include "vector.h"
 
-// The buffer may be too coarse for lighting, and of several samples none is where a pixel is shaded.
-#if defined(FORWARD_DEPTH) || SAMPLES > 1
-#define INTERPOLATES_DISTANCE
-#endif
-
 typedef struct {
   global const FrameConstants* frame;
   global const DrawConstants* draws;
@@ -47,11 +42,9 @@ typedef struct {
 typedef struct {
   global const DrawConstants* draw;
   Rgb color;         // base colour times the face's light
-  int16 x[3], y[3];  // corners on the screen, sub-pixels
+  int16 x[3], y[3];  // corners on the screen, corner units
   float16 inverse_w[3];
-#ifdef INTERPOLATES_DISTANCE
-  float16 depth[3];  // of the corners, as vertex records keep it
-#endif
+  float16 depth[3];     // of the corners, as vertex records keep it
   EyeVector normal[3];  // at the mesh's vertices; smooth draws
   Rgb tint[3];          // vertex colours
 #ifdef BLENDS
@@ -87,9 +80,7 @@ ALWAYS_INLINE Shader shader_of(global const FrameConstants* frame, global const 
 // orientation on the screen.
 typedef struct {
   float16 vertex[3];
-#ifdef INTERPOLATES_DISTANCE
-  float16 distance;  // along the view axis, interpolated like an attribute
-#endif
+  float16 distance;  // along the view axis
 } Weights;
 
 ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 depth) {
@@ -98,6 +89,10 @@ ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 d
 
 // Draws whose pixels need the weights of the mesh's vertices, or a position.
 #define NEEDS_WEIGHTS (DRAW_SMOOTH | DRAW_VERTEX_COLORS | DRAW_LIT_PER_PIXEL)
+
+ALWAYS_INLINE bool needs_weights(const Shader* s, global const DrawConstants* draw) {
+  return (draw->flags & NEEDS_WEIGHTS) || (s->frame->writes_depth && draw->flags & DRAW_INTERPOLATES_DISTANCE);
+}
 
 // ---- what is gathered -----------------------------------------------------------------------------------------------
 
@@ -160,7 +155,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   surface->color.g = draw->base_color[1];
   surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
-  if (draw->flags & DRAW_FLAT) {
+  if (draw->flags & DRAW_FLAT && s->frame->writes_color) {
     const Lanes number = lanes_of(id.all >> PIECE_BITS);
     fetch(s->face_colors, number.lane, same, &f0, &f1, &f2, &unused);
     if (draw->flags & DRAW_LIT_PER_PIXEL) {
@@ -173,7 +168,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
       surface->color.b = as_float16(f2);
     }
   }
-  if (!(draw->flags & NEEDS_WEIGHTS)) return;
+  if (!needs_weights(s, draw)) return;
 
   uint vertex[3][LANES], corner[3][LANES];
   const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
@@ -184,11 +179,9 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
     surface->inverse_w[i] = as_float16(f0);
-#ifdef INTERPOLATES_DISTANCE
     surface->depth[i] = as_float16(f1);
-#endif
   }
-  if (draw->flags & DRAW_SMOOTH) FOR_THREE(i) {
+  if (draw->flags & DRAW_SMOOTH && s->frame->writes_color) FOR_THREE(i) {
       fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->normal[i].x = as_float16(f0);
       surface->normal[i].y = as_float16(f1);
@@ -211,15 +204,15 @@ ALWAYS_INLINE float16 weighted(Weights w, float16 a, float16 b, float16 c) {
   return fma(w.vertex[0], a, fma(w.vertex[1], b, w.vertex[2] * c));
 }
 
-// Doubled areas opposite to the corners, at places in sub-pixels.
+// Doubled areas opposite to the corners, square corner units, at places in sub-pixels.
 typedef struct {
   float16 corner[3];
 } Areas;
 ALWAYS_INLINE Areas areas_at(const Surface* surface, int16 px, int16 py) {
   float16 dx[3], dy[3];
   FOR_THREE(i) {
-    dx[i] = convert_float16(surface->x[i] - px);
-    dy[i] = convert_float16(surface->y[i] - py);
+    dx[i] = convert_float16(surface->x[i] - px * CORNER_UNITS);
+    dy[i] = convert_float16(surface->y[i] - py * CORNER_UNITS);
   }
   Areas areas;
   areas.corner[0] = difference_of_products(dx[1], dy[2], dx[2], dy[1]);
@@ -228,28 +221,50 @@ ALWAYS_INLINE Areas areas_at(const Surface* surface, int16 px, int16 py) {
   return areas;
 }
 
+// A place that coverage's grid has in the triangle may lie outside its corners: nothing is extrapolated there. Areas of
+// the wrong sign become next to nothing, of no weight beside another one; that not all three are 0 keeps the mean
+// defined.
+#define MIN_AREA 0x1p-40f
+ALWAYS_INLINE Areas within_triangle(global const DrawConstants* draw, Areas areas) {
+  const float16 min_area = MIN_AREA;
+  if (draw->flags & (DRAW_DOUBLE_SIDED | DRAW_LINES)) {
+    const int16 negative = areas.corner[0] + areas.corner[1] + areas.corner[2] < 0.0f;
+    FOR_THREE(i)
+    areas.corner[i] = select(max(areas.corner[i], min_area), min(areas.corner[i], -min_area), negative);
+  } else if (draw->flags & DRAW_MIRRORED) {
+    FOR_THREE(i) areas.corner[i] = max(areas.corner[i], min_area);
+  } else {
+    FOR_THREE(i) areas.corner[i] = min(areas.corner[i], -min_area);
+  }
+  return areas;
+}
+
+// Along the view axis, where what is shown lies. The depth buffer says it where it is fine enough and where it is: at
+// pixels' centres.
 #ifdef FORWARD_DEPTH
-ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
+ALWAYS_INLINE float16 distance_at(const Shader* s, const Surface* surface, Areas areas, Weights w, float16 depth) {
   return weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) /
          (w.vertex[0] + w.vertex[1] + w.vertex[2]);
 }
-#elif SAMPLES > 1
+#else
 // The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
 ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
-  if (!s->frame->has_point_lights) return 0.0f;  // nobody asks
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (s->frame->camera.parallel) return -(weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) / total);
   return (areas.corner[0] + areas.corner[1] + areas.corner[2]) / total;
 }
+ALWAYS_INLINE float16 distance_at(const Shader* s, const Surface* surface, Areas areas, Weights w, float16 depth) {
+  if (SAMPLES == 1 && !(surface->draw->flags & DRAW_INTERPOLATES_DISTANCE)) return eye_distance(s->frame, depth);
+  if (!s->frame->has_point_lights && (SAMPLES > 1 || !s->frame->writes_depth)) return 0.0f;  // nobody asks
+  return interpolated_distance(s, surface, areas, w);
+}
 #endif
 
-ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Areas areas) {
+ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Areas areas, float16 depth) {
   Weights w;
   FOR_THREE(i) w.vertex[i] = areas.corner[i];
   if (!s->frame->camera.parallel) FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
-#ifdef INTERPOLATES_DISTANCE
-  w.distance = interpolated_distance(s, surface, areas, w);
-#endif
+  w.distance = distance_at(s, surface, areas, w, depth);
   if (surface->any_cut) {
     const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
     const float16 b = weighted(w, surface->cut[0][1], surface->cut[1][1], surface->cut[2][1]);
@@ -264,14 +279,14 @@ ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Area
 #if SAMPLES == 1
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
   const int16 px = (p->x + LANE) * SUBPIXELS + HALF_PIXEL, py = p->y * SUBPIXELS + HALF_PIXEL;
-  return weights_from(s, surface, areas_at(surface, px, py));
+  return weights_from(s, surface, within_triangle(surface->draw, areas_at(surface, px, py)),
+                      decoded_depth(p->depth, s->frame));
 }
 #else
-// At the centre where it is in the triangle, else at the centroid, to which the place moves. That is rounded to
-// sub-pixels: of needles it may lie outside by less than one. Nothing is extrapolated all the same.
+// At the centre where it is in the triangle, else at the centroid, to which the place moves.
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
   Areas areas = areas_at(surface, p->x, p->y);
-  if (p->centres_are_inside) return weights_from(s, surface, areas);
+  if (p->centres_are_inside) return weights_from(s, surface, within_triangle(surface->draw, areas), 0.0f);
   const float16 low = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
                 high = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
   const int16 outside = (low < 0.0f) & (high > 0.0f);
@@ -279,23 +294,14 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
     p->x += p->centroid_x & outside;
     p->y += p->centroid_y & outside;
     areas = areas_at(surface, p->x, p->y);
-    const int16 positive = areas_at(surface, surface->x[0], surface->y[0]).corner[0] >= 0.0f;  // the whole area
-    FOR_THREE(i) {
-      const int16 wrong = select(areas.corner[i] > 0.0f, areas.corner[i] < 0.0f, positive);
-      areas.corner[i] = select(areas.corner[i], (float16)(0.0f), outside & wrong);
-    }
   }
-  return weights_from(s, surface, areas);
+  return weights_from(s, surface, within_triangle(surface->draw, areas), 0.0f);
 }
 #endif
 
 // Where what the pixels show is in eye space.
 ALWAYS_INLINE EyeVector eye_position(const Shader* s, Pixels p, Weights w) {
-#ifdef INTERPOLATES_DISTANCE
   const float16 distance = w.distance;
-#else
-  const float16 distance = eye_distance(s->frame, p.depth);
-#endif
 #if SAMPLES == 1
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
 #else
@@ -332,25 +338,44 @@ ALWAYS_INLINE Rgb smooth_light(const Shader* s, const Surface* surface, Pixels p
   return lambert(s->frame, normal, position);
 }
 
-ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels p) {
-  Rgb color = surface->color;
+// The colour of a surface, and at pixels' centres its distance.
+typedef struct {
+  Rgb color;
+  float16 distance;
+} ShadedPixels;
+
+// What the depth buffer says of distances: of draws that do not interpolate them.
+ALWAYS_INLINE float16 buffered_distance(const Shader* s, Pixels p) {
+#if SAMPLES == 1
+  return eye_distance(s->frame, decoded_depth(p.depth, s->frame));
+#else
+  return 0.0f;
+#endif
+}
+
+ALWAYS_INLINE ShadedPixels shade_surface(const Shader* s, const Surface* surface, Pixels p) {
+  ShadedPixels shown;
+  shown.color = surface->color;
+  shown.distance = buffered_distance(s, p);
   const uint flags = surface->draw->flags;
-  if (!(flags & NEEDS_WEIGHTS)) return color;
+  if (!needs_weights(s, surface->draw)) return shown;
   const Weights w = vertex_weights(s, surface, &p);
+  if (flags & DRAW_INTERPOLATES_DISTANCE) shown.distance = w.distance;
+  if (!s->frame->writes_color) return shown;
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (flags & (DRAW_SMOOTH | DRAW_LIT_PER_PIXEL)) {
     const Rgb light = flags & DRAW_SMOOTH ? smooth_light(s, surface, p, w, total)
                                           : lambert(s->frame, surface->normal[0], eye_position(s, p, w));
-    color.r *= light.r;
-    color.g *= light.g;
-    color.b *= light.b;
+    shown.color.r *= light.r;
+    shown.color.g *= light.g;
+    shown.color.b *= light.b;
   }
   if (flags & DRAW_VERTEX_COLORS) {
-    color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;
-    color.g *= weighted(w, surface->tint[0].g, surface->tint[1].g, surface->tint[2].g) / total;
-    color.b *= weighted(w, surface->tint[0].b, surface->tint[1].b, surface->tint[2].b) / total;
+    shown.color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;
+    shown.color.g *= weighted(w, surface->tint[0].g, surface->tint[1].g, surface->tint[2].g) / total;
+    shown.color.b *= weighted(w, surface->tint[0].b, surface->tint[1].b, surface->tint[2].b) / total;
   }
-  return color;
+  return shown;
 }
 
 ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
@@ -358,9 +383,11 @@ ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
 }
 
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
-ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
-  Rgb result;
-  result.r = result.g = result.b = 0.0f;
+ALWAYS_INLINE ShadedPixels shade_mixed(const Shader* s, Pixels p, uint16 ids) {
+  ShadedPixels result;
+  result.color.r = result.color.g = result.color.b = 0.0f;
+  result.distance = buffered_distance(s, p);
+  if (!(s->frame->writes_color | s->frame->interpolates_distance)) return result;
   const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
   if (s->frame->only_faces) {
@@ -368,9 +395,9 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
     const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> PIECE_BITS);
     int16 r, g, b, unused;
     GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
-    result.r = select(result.r, as_float16(r), waiting);
-    result.g = select(result.g, as_float16(g), waiting);
-    result.b = select(result.b, as_float16(b), waiting);
+    result.color.r = select(result.color.r, as_float16(r), waiting);
+    result.color.g = select(result.color.g, as_float16(g), waiting);
+    result.color.b = select(result.color.b, as_float16(b), waiting);
     return result;
   }
   while (any_lane(waiting)) {
@@ -381,10 +408,11 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
     const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
     gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
-    const Rgb color = surface_color(s, &surface, p);
-    result.r = select(result.r, color.r, here);
-    result.g = select(result.g, color.g, here);
-    result.b = select(result.b, color.b, here);
+    const ShadedPixels shown = shade_surface(s, &surface, p);
+    result.color.r = select(result.color.r, shown.color.r, here);
+    result.color.g = select(result.color.g, shown.color.g, here);
+    result.color.b = select(result.color.b, shown.color.b, here);
+    result.distance = select(result.distance, shown.distance, here);
     waiting &= ~here;
   }
   return result;

@@ -64,8 +64,9 @@ typedef struct {
 ALWAYS_INLINE Areas lengths_at(const Surface* surface, int16 px, int16 py) {
   const int16 steep = abs(surface->y[1] - surface->y[0]) > abs(surface->x[1] - surface->x[0]);
   Areas lengths;
-  lengths.corner[0] = convert_float16(select(surface->x[1] - px, surface->y[1] - py, steep));
-  lengths.corner[1] = convert_float16(select(px - surface->x[0], py - surface->y[0], steep));
+  const int16 at = select(px, py, steep) * CORNER_UNITS;
+  lengths.corner[0] = convert_float16(select(surface->x[1], surface->y[1], steep) - at);
+  lengths.corner[1] = convert_float16(at - select(surface->x[0], surface->y[0], steep));
   lengths.corner[2] = 0.0f;
   return lengths;
 }
@@ -105,7 +106,7 @@ ALWAYS_INLINE void find_places(const ChannelShader* s, global const DrawConstant
   if (lines) drop_third_corner(&surface, depth);
 
   const int16 px = (x + LANE) * SUBPIXELS + HALF_PIXEL, py = y * SUBPIXELS + HALF_PIXEL;
-  const Areas areas = lines ? lengths_at(&surface, px, py) : areas_at(&surface, px, py);
+  const Areas areas = within_triangle(draw, lines ? lengths_at(&surface, px, py) : areas_at(&surface, px, py));
   const bool parallel = shader->frame->camera.parallel;
   float16 weight[3];
   FOR_THREE(i) weight[i] = areas.corner[i];

@@ -68,10 +68,10 @@ typedef struct {
 
 static inline TileBox box_of(global const LargeTriangle* t, Tile tile) {
   TileBox box;
-  box.first_column = FIRST_PIXEL(t->ax + min(0, min(t->d1x, t->d2x))) - tile.x;
-  box.last_column = LAST_PIXEL(t->ax + max(0, max(t->d1x, t->d2x))) - tile.x;
-  box.first_row = FIRST_PIXEL(t->ay + min(0, min(t->d1y, t->d2y))) - tile.y;
-  box.last_row = LAST_PIXEL(t->ay + max(0, max(t->d1y, t->d2y))) - tile.y;
+  box.first_column = FIRST_PIXEL(SUBPIXEL_OF(min(t->x[0], min(t->x[1], t->x[2])))) - tile.x;
+  box.last_column = LAST_PIXEL(SUBPIXEL_OF(max(t->x[0], max(t->x[1], t->x[2])))) - tile.x;
+  box.first_row = FIRST_PIXEL(SUBPIXEL_OF(min(t->y[0], min(t->y[1], t->y[2])))) - tile.y;
+  box.last_row = LAST_PIXEL(SUBPIXEL_OF(max(t->y[0], max(t->y[1], t->y[2])))) - tile.y;
   return box;
 }
 
@@ -80,23 +80,39 @@ static inline TileBox box_of(global const LargeTriangle* t, Tile tile) {
 // not, it is replaced by one that all samples pass.
 typedef struct {
   int value[3], step_x[3], step_y[3];
-#if SAMPLES > 1
+#if SAMPLES == 1
+  int margin;  // margin_of_edges() in these units
+#else
   int16 to_sample[3];  // in vectors of samples (sample_planes.h): from the first sample of a pixel, along both axes
 #endif
 } TileEdges;
 
 static inline void pass_all_samples(TileEdges* edges, int e) {
-  edges->value[e] = edges->step_x[e] = edges->step_y[e] = 0;
+  edges->value[e] = NO_MARGIN;
+  edges->step_x[e] = edges->step_y[e] = 0;
 #if SAMPLES > 1
   edges->to_sample[e] = 0;
+#endif
+}
+
+static inline void pass_all_edges(TileEdges* edges) {
+  FOR_THREE(e) pass_all_samples(edges, e);
+#if SAMPLES == 1
+  edges->margin = 0;
 #endif
 }
 
 static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile, TileEdges* edges, int16* misses,
                                        int16* covers) {
   const int px = tile.x * SUBPIXELS + FIRST_SAMPLE, py = tile.y * SUBPIXELS + FIRST_SAMPLE;
-  const int dx[3] = {t->d1x, t->d2x - t->d1x, -t->d2x}, dy[3] = {t->d1y, t->d2y - t->d1y, -t->d2y};
-  const int vx[3] = {t->ax, t->ax + t->d1x, t->ax + t->d2x}, vy[3] = {t->ay, t->ay + t->d1y, t->ay + t->d2y};
+  const int vx[3] = {SUBPIXEL_OF(t->x[0]), SUBPIXEL_OF(t->x[1]), SUBPIXEL_OF(t->x[2])},
+            vy[3] = {SUBPIXEL_OF(t->y[0]), SUBPIXEL_OF(t->y[1]), SUBPIXEL_OF(t->y[2])};
+  const int dx[3] = {vx[1] - vx[0], vx[2] - vx[1], vx[0] - vx[2]},
+            dy[3] = {vy[1] - vy[0], vy[2] - vy[1], vy[0] - vy[2]};
+  const int margin = margin_in_tile(t);
+#if SAMPLES == 1
+  edges->margin = margin;
+#endif
   FOR_THREE(e) {
     const long value = edge_value(dx[e], dy[e], vx[e], vy[e], px, py), exact = value >> SUBPIXEL_BITS;
     const int step_x = -dy[e], step_y = dx[e];
@@ -104,7 +120,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
     // Between a pixel's samples, rounded outwards; 0 for a single one.
     const int falls_in_pixel = (int)(falls * (LAST_SAMPLE - FIRST_SAMPLE) >> SUBPIXEL_BITS),
               rises_in_pixel = -(int)(-rises * (LAST_SAMPLE - FIRST_SAMPLE) >> SUBPIXEL_BITS);
-    if (exact + falls * (TILE - 1) + falls_in_pixel >= 0) {
+    if (exact + falls * (TILE - 1) + falls_in_pixel >= margin) {
       pass_all_samples(edges, e);
       continue;
     }
@@ -120,7 +136,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
 #endif
     const int16 at = (int)exact + step_x * BLOCK_X + step_y * BLOCK_Y;
     *misses |= at + ((int)rises * (TILE_BLOCK - 1) + rises_in_pixel) < 0;
-    *covers &= at + ((int)falls * (TILE_BLOCK - 1) + falls_in_pixel) >= 0;
+    *covers &= at + ((int)falls * (TILE_BLOCK - 1) + falls_in_pixel) >= margin;
   }
 }
 
@@ -132,7 +148,7 @@ static inline void find_covered_blocks(global const LargeTriangle* t, Tile tile,
 
 static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const TileEdges* edges,
                                   global const LargeTriangle* large, global const LargeTriangle* t, TileBox box,
-                                  TileDepth corner, Depth background, bool tests_depth) {
+                                  TileDepth origin, Depth background, bool tests_depth) {
   const Lanes content = lanes_of(blocks->content);
   FOR_EACH_LANE(block, partly) {
     const int row = row_of(block);
@@ -140,8 +156,8 @@ static inline void draw_in_blocks(Tile tile, Blocks* blocks, int16 partly, const
     const int first = max(row, box.first_row), last = min(row + TILE_BLOCK - 1, box.last_row);
     if (first > last) continue;
     // Two loops, each without the question.
-    const Depths held = tests_depth ? draw_in_rows(tile, edges, t, corner, block, first, last, true)
-                                    : draw_in_rows(tile, edges, t, corner, block, first, last, false);
+    const Depths held = tests_depth ? draw_in_rows(tile, edges, t, origin, block, first, last, true)
+                                    : draw_in_rows(tile, edges, t, origin, block, first, last, false);
     if (last - first < TILE_BLOCK - 1) continue;  // rows that were left out may hold less
     blocks->min = max(blocks->min, select((Depths)(FARTHEST_DEPTH), (Depths)(min_depth(held)), LANE == block));
   }
@@ -152,19 +168,22 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
                                         Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
   global const LargeTriangle* t = &large[number];
-  const TileDepth corner = depth_of_tile(t, tile.x, tile.y);
+  const TileDepth origin = depth_of_tile(t, tile.x, tile.y);
   // The part of each block that lies in the triangle's box, and the depths at its corners.
   const TileBox box = box_of(t, tile);
   const int16 left = max(BLOCK_X, (int16)(box.first_column)),
               right = min(BLOCK_X + (TILE_BLOCK - 1), (int16)(box.last_column));
   const int16 top = max(BLOCK_Y, (int16)(box.first_row)),
               bottom = min(BLOCK_Y + (TILE_BLOCK - 1), (int16)(box.last_row));
-  const DepthBounds depth = depths_in_boxes(t, corner, left, right, top, bottom);
+  const DepthBounds depth = depths_in_boxes(t, origin, left, right, top, bottom);
   int16 misses = (left > right) | (top > bottom) | (depth.max < blocks->min), covers = is_in_range(t) ? -1 : 0;
+#if SAMPLES == 1
+  covers &= bounds_are_within_corners(t, depth);
+#endif
   if (!any_lane(~misses)) return;
   TileEdges edges;
   if (entry & ENTIRE_TILE)
-    FOR_THREE(e) pass_all_samples(&edges, e);
+    pass_all_edges(&edges);
   else
     find_covered_blocks(t, tile, &edges, &misses, &covers);
   const int16 replaces = covers & ~misses & (depth.min > blocks->max);
@@ -173,25 +192,29 @@ static inline void merge_large_triangle(Tile tile, Blocks* blocks, global const 
   blocks->max = select(blocks->max, depth.max, replaces);
   const int16 partly = ~misses & ~replaces;
   blocks->max = select(blocks->max, max(blocks->max, depth.max), partly);  // at most this
-  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, corner, background, true);
+  if (any_lane(partly)) draw_in_blocks(tile, blocks, partly, &edges, large, t, box, origin, background, true);
 }
 
 static inline void place_large_triangle(Tile tile, Blocks* blocks, global const LargeTriangle* large, uint entry,
                                         Depth background) {
   const uint number = entry & ~ENTIRE_TILE;
-  if (entry & ENTIRE_TILE) {
-    blocks->content = number;
-    return;
-  }
   global const LargeTriangle* t = &large[number];
+  const TileDepth origin = depth_of_tile(t, tile.x, tile.y);
   int16 misses = 0, covers = -1;
+#if SAMPLES == 1
+  covers = bounds_are_within_corners(
+      t, depths_in_boxes(t, origin, BLOCK_X, BLOCK_X + (TILE_BLOCK - 1), BLOCK_Y, BLOCK_Y + (TILE_BLOCK - 1)));
+#endif
   TileEdges edges;
-  find_covered_blocks(t, tile, &edges, &misses, &covers);
+  if (entry & ENTIRE_TILE)
+    pass_all_edges(&edges);
+  else
+    find_covered_blocks(t, tile, &edges, &misses, &covers);
+  covers &= ~misses;
   blocks->content = select(blocks->content, (uint16)(number), as_uint16(covers));
   const int16 partly = ~misses & ~covers;
   if (any_lane(partly))
-    draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), depth_of_tile(t, tile.x, tile.y),
-                   background, false);
+    draw_in_blocks(tile, blocks, partly, &edges, large, t, box_of(t, tile), origin, background, false);
 }
 
 #endif

@@ -86,24 +86,27 @@ ALWAYS_INLINE void store_colors(RowColor left, RowColor right, TilePixels pixels
 typedef struct {
   uint content;
   global const LargeTriangle* triangle;  // a block of one triangle
-  TileDepth corner;                      // its depth at the tile's first pixel
-  uint surface_id;                       // NO_ID: the surface is still to be gathered
+  TileDepth origin;                      // where its depth in the tile is measured from
+  BlockColumns columns;
+  uint surface_id;  // NO_ID: the surface is still to be gathered
   Surface surface;
 } Column;
 
-ALWAYS_INLINE void start_block(Column* column, Tile tile, uint content, global const LargeTriangle* large) {
+ALWAYS_INLINE void start_block(Column* column, Tile tile, int first_column, uint content,
+                               global const LargeTriangle* large) {
   column->content = content;
   if (content == CLEAR || content == PER_PIXEL) return;
   column->triangle = &large[content];
-  column->corner = depth_of_tile(column->triangle, tile.x, tile.y);
+  column->origin = depth_of_tile(column->triangle, tile.x, tile.y);
+  column->columns = block_columns(column->origin, first_column);
 }
 
-ALWAYS_INLINE Rgb color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
+ALWAYS_INLINE ShadedPixels shade_primitive(const Shader* s, Column* column, uint id, Pixels p) {
   if (column->surface_id != id) {
     gather_surface(s, draw_of(s, id), lanes_of(id), true, &column->surface);
     column->surface_id = id;
   }
-  return surface_color(s, &column->surface, p);
+  return shade_surface(s, &column->surface, p);
 }
 
 // Notes which blocks of the tile are `blank`, a bit a block, and returns those that are left as they are, as they were

@@ -25,7 +25,24 @@
 #define COMPILED_ONCE static
 #endif
 
+// For what a loop seldom needs, so that it costs no registers there.
+#ifdef MORPHCL_POCL
+#define RARELY_CALLED __attribute__((noinline, cold))
+#else
+#define RARELY_CALLED
+#endif
+
 #define LANE ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+
+// a b - c d within 1.5 ulp (Kahan): the rounding error of c d is computed by fma and put back.
+ALWAYS_INLINE float16 difference_of_products(float16 a, float16 b, float16 c, float16 d) {
+  const float16 product = c * d;
+  return fma(a, b, -product) + fma(-c, d, product);
+}
+static inline float difference_of_two_products(float a, float b, float c, float d) {  // the same of one lane
+  const float product = c * d;
+  return fma(a, b, -product) + fma(-c, d, product);
+}
 
 // A vector whose lanes are looked at one by one. (Read only: a vector load after a store of one lane waits for it.)
 typedef union {

@@ -1,5 +1,5 @@
 // The arithmetic of one vertex, shared by projection (16 lanes) and clipping (one lane would do; it uses 16 as well, so
-// that there is one definition): morph, object to clip space, outcode, snap to sub-pixels.
+// that there is one definition): morph, object to clip space, outcode, place on the screen.
 
 #ifndef MORPHCL_VERTEX_H
 #define MORPHCL_VERTEX_H
@@ -12,7 +12,7 @@ typedef struct {
 } ClipPoints;
 
 typedef struct {
-  int16 x, y;  // sub-pixels
+  int16 x, y;  // corner units
   float16 depth, inverse_w;
 } ScreenPoints;
 
@@ -64,19 +64,22 @@ static inline int16 outcode(ClipPoints p, global const FrameConstants* frame) {
   return code | (~finite & OUT_INVALID);
 }
 
-// round(product + product_rest + offset), ties to even.
+// product + product_rest + offset in corner units: round() of it, ties to even, is the sub-pixel that the vertex is
+// snapped to; what that took away is rounded to corner units, and to that side of the tie.
 static inline int16 round_to_grid(float16 product, float16 product_rest, float16 offset) {
   const float16 sum = product + offset;
   const float16 offset_part = sum - product;
   const float16 sum_rest = (product - (sum - offset_part)) + (offset - offset_part);
   const float16 whole = rint(sum);
   const float16 rest = (sum - whole) + (sum_rest + product_rest);
-  return convert_int16(whole) + convert_int16(rint(rest));
+  const float16 step = rint(rest);
+  const float16 units = min(rint((rest - step) * (float)CORNER_UNITS), (float16)(CORNER_UNITS / 2 - 1));
+  return convert_int16(whole + step) * CORNER_UNITS + convert_int16(units);
 }
 
-// round(v / w * scale + offset), ties to even, as if the quotient, product and sum had about 45 bits: the quotient's
+// v / w * scale + offset in corner units, as if the quotient, product and sum had about 45 bits: the quotient's
 // remainder and the errors of product and sum are carried along (two-float arithmetic), so a vertex is snapped to
-// another sub-pixel than the exact one only within 2^-24 of a tie. |result| <= 2^23.
+// another sub-pixel than the exact one only within 2^-24 of a tie. |result| < 2^30.
 static inline int16 snap(float16 v, float16 w, float scale, float offset) {
   const float16 scales = scale;
   const float16 quotient = v / w;

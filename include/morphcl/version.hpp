@@ -2,13 +2,13 @@
 #pragma once
 
 #define MORPHCL_VERSION_MAJOR 0
-#define MORPHCL_VERSION_MINOR 1
+#define MORPHCL_VERSION_MINOR 2
 #define MORPHCL_VERSION_PATCH 0
 
 #pragma GCC visibility push(default)
 namespace morphcl {
 
-// Of the library: "0.1.0". Frames and kernels that another version made are not taken for this one's.
+// Of the library: "0.2.0". Frames and kernels that another version made are not taken for this one's.
 const char* version();
 
 }  // namespace morphcl

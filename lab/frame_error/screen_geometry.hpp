@@ -1,6 +1,6 @@
-// Where a clip-space corner lands on the screen, in sub-pixels (y downwards): snapped to
-// the grid that the renderers use, or left where it truly is. A render on the grid shows what rounding alone changes, a
-// render of the true geometry what the grid costs as well.
+// Where a clip-space corner lands on the screen, in sub-pixels (y downwards): on the grids that the renderers use, or
+// left where it truly is. A render on the grids shows what rounding alone changes, a render of the true geometry what
+// they cost as well.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,8 @@ struct ScreenPoint {
   Coordinate x, y;
 };
 
-// Snapped to nearest, ties to even: |coordinates| stay below 2^24, so edge functions are exact in 64 bits.
+// For coverage snapped to nearest, ties to even: |coordinates| stay below 2^24, so edge functions are exact in 64 bits.
+// For planes rounded to corner units, and still next to the same sub-pixel.
 template <class RealType>
 struct OnGrid {
   using Real = RealType;
@@ -29,6 +30,12 @@ struct OnGrid {
     if (part > Real(0.5)) return whole + 1;
     return whole % 2 == 0 ? whole : whole + 1;
   }
+  static Real place_of_plane(const Real& v) {
+    using std::floor;
+    const Real snapped = Real(place(v)), unit = Real(1) / layout::corner_units;
+    const Real rest = floor((v - snapped) / unit + Real(0.5)) * unit, max_rest = Real(0.5) - unit;
+    return snapped + (rest > max_rest ? max_rest : rest);
+  }
 };
 
 template <class RealType>
@@ -36,13 +43,27 @@ struct TrueGeometry {
   using Real = RealType;
   using Coordinate = Real;
   static Coordinate place(const Real& v) { return v; }
+  static Real place_of_plane(const Real& v) { return v; }
 };
 
+template <class Real>
+ScreenPoint<Real> exact_on_screen(const Corner<Real>& c, int width, int height) {
+  const Real half_width = Real(layout::half_pixel) * width, half_height = Real(layout::half_pixel) * height;
+  return {c.x / c.w * half_width + half_width, half_height - c.y / c.w * half_height};
+}
+
+// For coverage.
 template <class Geometry>
 ScreenPoint<typename Geometry::Coordinate> to_screen(const Corner<typename Geometry::Real>& c, int width, int height) {
-  using Real = typename Geometry::Real;
-  const Real half_width = Real(layout::half_pixel) * width, half_height = Real(layout::half_pixel) * height;
-  return {Geometry::place(c.x / c.w * half_width + half_width), Geometry::place(half_height - c.y / c.w * half_height)};
+  const auto exact = exact_on_screen(c, width, height);
+  return {Geometry::place(exact.x), Geometry::place(exact.y)};
+}
+
+// For the planes of depth and attributes.
+template <class Geometry>
+ScreenPoint<typename Geometry::Real> corner_of_plane(const Corner<typename Geometry::Real>& c, int width, int height) {
+  const auto exact = exact_on_screen(c, width, height);
+  return {Geometry::place_of_plane(exact.x), Geometry::place_of_plane(exact.y)};
 }
 
 // Twice the area of from, to, p; the negated bits when `from` and `to` change places, so that of two triangles at an

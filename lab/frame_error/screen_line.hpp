@@ -2,6 +2,7 @@
 // that holds the line at the column's centre. The end that the line walks towards is not drawn.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "lab/frame_error/screen_triangle.hpp"
@@ -28,12 +29,17 @@ class ScreenLine {
     run_ = steep_ ? high : wide;
     across_ = steep_ ? a.x : a.y;
     rise_ = steep_ ? Coordinate(b.x - a.x) : Coordinate(b.y - a.y);
+    const ScreenPoint<Real> from_end = corner_of_plane<Geometry>(a_, width_, height_),
+                            to_end = corner_of_plane<Geometry>(b_, width_, height_);
+    exact_start_ = steep_ ? from_end.y : from_end.x;
+    exact_run_ = (steep_ ? to_end.y : to_end.x) - exact_start_;
   }
 
   std::optional<Hit<Real>> hit(int x, int y) const {
     const int along = steep_ ? y : x;
     if (!crosses(along) || pixel_across(along) != (steep_ ? x : y)) return std::nullopt;
-    const Real second = Real(offset(along)) / Real(run_);
+    Real second(0);
+    if (exact_run_ > 0) second = std::clamp(Real((pixel_centre(along) - exact_start_) / exact_run_), Real(0), Real(1));
     const Real share_a = (1 - second) / a_.w, share_b = second / b_.w, total = share_a + share_b;
     return Hit<Real>{(share_a * a_.distance + share_b * b_.distance) / total, {}, true};
   }
@@ -70,7 +76,8 @@ class ScreenLine {
   Corner<Real> a_, b_;
   int width_, height_;
   bool steep_ = false;
-  Coordinate start_, run_, across_, rise_;
+  Coordinate start_, run_, across_, rise_;  // for coverage
+  Real exact_start_, exact_run_;            // for distances
 };
 
 }  // namespace morphcl::accuracy

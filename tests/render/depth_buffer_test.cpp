@@ -167,13 +167,15 @@ TEST(ReversedDepthBuffer, TellsApartEveryPairOfARelativeGapOf2ToTheMinus21) {
     }
 }
 
-// Slanted triangles, small and large: what is stored at every pixel is the exact plane through the snapped vertices,
+// Slanted triangles, small and large: what is stored at every pixel inside is the exact plane through the vertices,
 // rounded.
 //
 // Bound: u^2 = 2^-48. A corner's normalized depth is off by 15 u^2 (quotient, difference, product) of 1 / (1 - near /
-// far) < 2, over the area by 15 u^2 more, a term by 5 u^2 and two sums by 3 u^2 each: 60 u^2 of at most 1.
+// far) < 2, over the area by 15 u^2 more, a term by 5 u^2 and two sums by 3 u^2 each: 60 u^2 of at most 1. From a
+// corner to its sub-pixel, half of one at most along both axes, depth changes by the gradient, whose terms are off by 8
+// roundings u.
 TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
-  const double bound = 0.5 + 60 * 0x1p-48 * steps_of(GetParam()) + 0x1p-23;  // of a step; the last: near a tie
+  const double rounded = 0.5 + 60 * 0x1p-48 * steps_of(GetParam()) + 0x1p-23;  // of a step; the last: near a tie
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(-1, 1);
   for (const Projection& projection :
@@ -204,16 +206,21 @@ TEST_P(FixedDepthBuffers, StoreTheExactPlaneRoundedOnce) {
       Exact x[3], y[3], c[3];
       for (int k = 0; k < 3; ++k) {
         const reference::Vertex& v = vertices[3 * sample.primitive + k];
-        x[k] = v.screen.x;
-        y[k] = v.screen.y;
+        x[k] = Exact(v.screen.corner_x()) / layout::corner_units;
+        y[k] = Exact(v.screen.corner_y()) / layout::corner_units;
         c[k] = normalized_depth(plan, far, plan->camera.parallel ? -Exact(v.clip.z) : Exact(v.clip.w));
       }
       const Exact px = pixel_centre(i % 128), py = pixel_centre(i / 128);
       const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
       const Exact w1 = ((px - x[0]) * (y[2] - y[0]) - (py - y[0]) * (x[2] - x[0])) / area;
       const Exact w2 = ((x[1] - x[0]) * (py - y[0]) - (y[1] - y[0]) * (px - x[0])) / area;
+      if (w1 < 0 || w2 < 0 || w1 + w2 > 1) continue;  // the grid covers it, the triangle does not
       const Exact exact = (c[0] + w1 * (c[1] - c[0]) + w2 * (c[2] - c[0])) * Exact(steps_of(GetParam()));
-      EXPECT_LE(abs(exact - Exact(sample.key)), bound) << "pixel " << i;
+      const Exact terms = (abs((y[2] - y[0]) * (c[1] - c[0])) + abs((y[1] - y[0]) * (c[2] - c[0])) +
+                           abs((x[1] - x[0]) * (c[2] - c[0])) + abs((x[2] - x[0]) * (c[1] - c[0]))) /
+                          abs(area);
+      const double bound = rounded + static_cast<double>(terms) * 0.5 * 8 * 0x1p-24 * steps_of(GetParam());
+      EXPECT_LE(static_cast<double>(abs(exact - Exact(sample.key))), bound) << "pixel " << i;
       // Z stands for the number stored, within three roundings.
       const double distance = distance_of_stored(
           GetParam(), {plan->camera.parallel ? 0.5 : plan->camera.near, far, plan->camera.parallel != 0}, sample.key);

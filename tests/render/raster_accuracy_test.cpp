@@ -150,10 +150,10 @@ TEST(RasterAccuracy, SharedEdgesAreCutToTheSameBits) {
 
 // Distance of a plane seen at a slant, from 0.2 to 1000: against the exact intersection of each pixel's ray.
 //
-// Bound, relative: the snap moves a vertex by half a sub-pixel, which moves the plane; that part is exact geometry and
-// is taken out by intersecting the plane through the snapped vertices. What is left is fp32: depth = near / w is
-// rounded at the vertices (1/w, product), interpolated with 2 fma and an inverse area (4 roundings) from the farthest
-// vertex, stepped inside a tile (2 fma) and inverted: 12 roundings of terms that do not exceed twice the depth: 24 u.
+// Bound, relative: a vertex is rounded to a corner unit, which moves the plane; that part is exact geometry and is
+// taken out by intersecting the plane through the rounded vertices. What is left is fp32: depth = near / w is rounded
+// at the vertices (1/w, product), interpolated with 2 fma and an inverse area (4 roundings) from the farthest vertex,
+// stepped inside a tile (2 fma) and inverted: 12 roundings of terms that do not exceed twice the depth: 24 u.
 TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   constexpr int width = 640, height = 360;
   Mesh plane;
@@ -167,12 +167,12 @@ TEST(RasterAccuracy, DistanceOfASlantedPlane) {
   const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
   FrameBuffer frame(width, height, {Channel::color, Channel::depth});
   make_reference_renderer()->render(plan, frame);
-  // Depth is affine on the screen: solve it exactly through the three snapped vertices.
+  // Depth is affine on the screen: solve it exactly through the three vertices.
   Exact x[3], y[3], depth[3];
   for (int i = 0; i < 3; ++i) {
     ASSERT_EQ(vertices[i].outcode, 0);
-    x[i] = vertices[i].screen.x;
-    y[i] = vertices[i].screen.y;
+    x[i] = Exact(vertices[i].screen.corner_x()) / layout::corner_units;
+    y[i] = Exact(vertices[i].screen.corner_y()) / layout::corner_units;
     depth[i] = Exact(plan->camera.near) / Exact(vertices[i].clip.w);
   }
   const Exact area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);

@@ -58,6 +58,7 @@ inline constexpr int lanes = LANES;
 inline constexpr int tile = TILE;
 inline constexpr int tile_block = TILE_BLOCK;
 inline constexpr int subpixel_bits = SUBPIXEL_BITS;
+inline constexpr int corner_units = CORNER_UNITS;
 inline constexpr int subpixels = SUBPIXELS;
 inline constexpr int half_pixel = HALF_PIXEL;
 inline constexpr int small_pixels = SMALL_PIXELS;

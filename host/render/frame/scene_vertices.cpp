@@ -53,8 +53,13 @@ int outcode(const ClipPoint& p, const FramePlan& plan, const RasterGrid& grid) {
   return code;
 }
 
-// round(v / w * scale + offset), ties to even, with the rounding errors of quotient, product and sum carried along.
-int snap(float v, float w, float scale, float offset) {
+struct SnappedCoordinate {
+  int subpixel, rest;
+};
+
+// round(v / w * scale + offset), ties to even, with the rounding errors of quotient, product and sum carried along; and
+// what rounding took away, in corner units.
+SnappedCoordinate snap(float v, float w, float scale, float offset) {
   const float quotient = v / w;
   const float quotient_rest = std::fma(-quotient, w, v) / w;
   const float product = quotient * scale;
@@ -64,7 +69,9 @@ int snap(float v, float w, float scale, float offset) {
   const float sum_rest = (product - (sum - offset_part)) + (offset - offset_part);
   const float whole = std::nearbyint(sum);
   const float rest = (sum - whole) + (sum_rest + product_rest);
-  return static_cast<int>(whole) + static_cast<int>(std::nearbyint(rest));
+  const float step = std::nearbyint(rest);
+  const int units = static_cast<int>(std::nearbyint((rest - step) * static_cast<float>(layout::corner_units)));
+  return {static_cast<int>(whole) + static_cast<int>(step), std::min(units, layout::corner_units / 2 - 1)};
 }
 
 glm::vec3 eye_normal(const Draw& draw, std::size_t i) {
@@ -94,8 +101,9 @@ float near_distance(float z, float w, const FramePlan& plan) {
 
 ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid) {
   const float inverse_w = 1.0f / p.w;
-  return {snap(p.x, p.w, grid.scale_x, grid.offset_x), snap(p.y, p.w, grid.scale_y, grid.offset_y), p.z * inverse_w,
-          inverse_w};
+  const SnappedCoordinate x = snap(p.x, p.w, grid.scale_x, grid.offset_x),
+                          y = snap(p.y, p.w, grid.scale_y, grid.offset_y);
+  return {x.subpixel, y.subpixel, p.z * inverse_w, inverse_w, x.rest, y.rest};
 }
 
 ScreenVertex to_screen(const ClipPoint& p, const RasterGrid& grid, const FramePlan& plan) {

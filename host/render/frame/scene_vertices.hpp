@@ -14,9 +14,14 @@ struct ClipPoint {
 };
 
 struct ScreenVertex {
-  int x, y;     // sub-pixels
+  int x, y;     // sub-pixels, the nearest ones
   float depth;  // z / w; for forward depth buffers the distance along the view axis
   float inverse_w;
+  int rest_x = 0, rest_y = 0;  // from there to where the vertex is, in corner units
+
+  // In corner units.
+  std::int64_t corner_x() const { return std::int64_t{x} * layout::corner_units + rest_x; }
+  std::int64_t corner_y() const { return std::int64_t{y} * layout::corner_units + rest_y; }
 };
 
 struct Vertex {

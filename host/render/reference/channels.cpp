@@ -37,8 +37,10 @@ struct PlaceInPrimitive {
 // What is left of a line to its other end, and to this one, along its longer axis.
 Areas lengths_at(const ScreenVertex corner[3], int px, int py) {
   const ScreenVertex &a = corner[0], &b = corner[1];
-  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-  return {{static_cast<float>(steep ? b.y - py : b.x - px), static_cast<float>(steep ? py - a.y : px - a.x), 0.0f}};
+  const bool steep = std::abs(b.corner_y() - a.corner_y()) > std::abs(b.corner_x() - a.corner_x());
+  const std::int64_t at = std::int64_t{steep ? py : px} * layout::corner_units;
+  return {{static_cast<float>((steep ? b.corner_y() : b.corner_x()) - at),
+           static_cast<float>(at - (steep ? a.corner_y() : a.corner_x())), 0.0f}};
 }
 
 PlaceInPrimitive place_in_primitive(const FramePlan& plan, const Visibility& visible, const Sample& sample,
@@ -47,9 +49,9 @@ PlaceInPrimitive place_in_primitive(const FramePlan& plan, const Visibility& vis
   const bool line = draw.shading == Shading::wireframe, is_cut = sample.piece != no_piece;
   ScreenVertex corner[3] = {vertex[0]->screen, vertex[1]->screen, vertex[2]->screen};
   if (is_cut) std::copy_n(visible.pieces[sample.piece].corner, 3, corner);
-  if (line) corner[2] = {0, 0, 0.0f, 0.0f};
+  if (line) corner[2] = ScreenVertex{};
   const int px = pixel_centre(x), py = pixel_centre(y);
-  const Areas areas = line ? lengths_at(corner, px, py) : areas_at(corner, px, py);
+  const Areas areas = within_triangle(draw, line ? lengths_at(corner, px, py) : areas_at(corner, px, py));
   float weight[3];
   for (int i = 0; i < 3; ++i)
     weight[i] = plan.camera.parallel ? areas.corner[i] : areas.corner[i] * corner[i].inverse_w;

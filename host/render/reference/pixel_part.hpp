@@ -20,8 +20,12 @@ class PixelPart {
     sum_y_ += sample.subpixels_y();
   }
   int samples() const { return samples_; }
-  // Their mean, to nearest, ties to even. Only where there are some.
-  SubPixelOffset centroid() const { return {mean(sum_x_), mean(sum_y_)}; }
+  // Their mean, to nearest, ties to even; of all samples of the pixel, `samples_a_pixel`, its centre. Only where there
+  // are some.
+  SubPixelOffset centroid(int samples_a_pixel) const {
+    if (samples_ == samples_a_pixel) return {0, 0};
+    return {mean(sum_x_), mean(sum_y_)};
+  }
 
  private:
   int mean(int sum) const {

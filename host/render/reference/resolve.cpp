@@ -74,9 +74,10 @@ std::array<std::uint16_t, 4> resolve_pixel(const FramePlan& plan, const Visibili
         part.add(pattern[other]);
         through += in_front[other].transmittance;
       }
-    const glm::vec3 color = samples.size() == 1
-                                ? shade_centre(plan, visible, samples[s], vertices, x, y).color
-                                : shade_part(plan, visible, samples[s], vertices, x, y, part.centroid()).color;
+    const glm::vec3 color =
+        samples.size() == 1
+            ? shade_centre(plan, visible, samples[s], vertices, x, y).color
+            : shade_part(plan, visible, samples[s], vertices, x, y, part.centroid(visible.samples_a_pixel)).color;
     for (int c = 0; c < 3; ++c) sum[c] = std::fma(color[c], through, sum[c]);
   }
   for (std::size_t s = 0; s < samples.size() && plan.blends; ++s)

@@ -30,14 +30,6 @@ struct Place {
   bool has_depth;
 };
 
-// A centroid is rounded to sub-pixels: of needles it may lie outside by less than one. Nothing is extrapolated all the
-// same.
-Areas clamped(Areas areas, const ScreenVertex corner[3]) {
-  const bool positive = areas_at(corner, corner[0].x, corner[0].y).corner[0] >= 0.0f;  // the whole area
-  for (float& area : areas.corner) area = positive ? std::max(area, 0.0f) : std::min(area, 0.0f);
-  return areas;
-}
-
 // Whether a triangle of this orientation owns what lies at (x, y), as the raster has it.
 bool covers(const ScreenVertex corner[3], bool positive, int x, int y) {
   for (int i = 0; i < 3; ++i) {
@@ -57,10 +49,12 @@ SubPixelOffset centroid_of_coverage(const ScreenVertex corner[3], const Place& c
   PixelPart part;
   for (const SampleOffset& sample : sample_pattern(samples))
     if (covers(corner, area > 0, centre.x + sample.subpixels_x(), centre.y + sample.subpixels_y())) part.add(sample);
-  return part.centroid();
+  return part.centroid(samples);
 }
 
-Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], const Areas& areas, const Place& place) {
+// Distance is the depth buffer's where one sample a pixel decides what is seen and the draw leaves it to that.
+Weights screen_weights(const FramePlan& plan, const Draw& draw, const ScreenVertex corner[3], const Areas& areas,
+                       const Place& place) {
   Weights w;
   for (int i = 0; i < 3; ++i) {
     w.vertex[i] = areas.corner[i];
@@ -70,7 +64,7 @@ Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], cons
     w.distance =
         std::fma(w.vertex[0], corner[0].depth, std::fma(w.vertex[1], corner[1].depth, w.vertex[2] * corner[2].depth)) /
         w.total();
-  } else if (!place.has_depth) {
+  } else if (!place.has_depth || draw.interpolates_distance) {
     // The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
     const float* const a = areas.corner;
     w.distance =
@@ -146,9 +140,9 @@ ShadedSurface shade_at(const FramePlan& plan, const Visibility& visible, const S
     if (!centroid) centroid = centroid_of_coverage(corner, place, visible.samples_a_pixel);
     place.x += centroid->x;
     place.y += centroid->y;
-    areas = clamped(areas_at(corner, place.x, place.y), corner);
+    areas = areas_at(corner, place.x, place.y);
   }
-  Weights w = screen_weights(plan, corner, areas, place);
+  Weights w = screen_weights(plan, draw, corner, within_triangle(draw, areas), place);
   if (is_cut) w = source_weights(w, visible.pieces[sample.piece]);
   if (draw.shading == Shading::smooth || draw.lit_per_pixel) {
     glm::vec3 normal = face.normal;
@@ -168,6 +162,18 @@ ShadedSurface shade_at(const FramePlan& plan, const Visibility& visible, const S
 }
 
 }  // namespace
+
+float distance_at_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
+                         const std::vector<std::vector<Vertex>>& vertices, int x, int y) {
+  const Draw& draw = plan.draws[sample.draw];
+  if (!draw.interpolates_distance) return eye_distance(plan, sample.depth);
+  const glm::uvec3 triangle = draw.mesh->triangles[sample.primitive];
+  const std::vector<Vertex>& own = vertices[sample.draw];
+  const ScreenVertex whole[3] = {own[triangle[0]].screen, own[triangle[1]].screen, own[triangle[2]].screen};
+  const ScreenVertex* const corner = sample.piece == no_piece ? whole : visible.pieces[sample.piece].corner;
+  const Place place{pixel_centre(x), pixel_centre(y), sample.depth, true};
+  return screen_weights(plan, draw, corner, within_triangle(draw, areas_at(corner, place.x, place.y)), place).distance;
+}
 
 ShadedSurface shade_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
                            const std::vector<std::vector<Vertex>>& vertices, int x, int y) {

@@ -56,9 +56,15 @@ class Rasterizer {
               cover(x, y, s, depth_at(x, y, pattern_[s]), identity);
           }
     };
+    // Where distances come from elsewhere, surfaces are compared on the plane through the sub-pixels.
+    const bool centre = pattern_.size() == 1;
+    if (!centre || plan_.draws[identity.draw].interpolates_distance)
+      for (ScreenVertex* const corner : {&a, &b, &c}) corner->rest_x = corner->rest_y = 0;
     if (is_forward(plan_.depth_format)) {
       const NormalizedDepthPlane plane(plan_, a, b, c, area);
-      fill([&](int x, int y, SampleOffset sample) { return plane.at(x, y, sample); });
+      fill([&](int x, int y, SampleOffset sample) {
+        return centre ? plane.at_centre(x, y) : plane.at_sample(x, y, sample);
+      });
       return;
     }
     // Small triangles measure depth from their own box, to samples by way of the pixel's centre; the others from the
@@ -67,12 +73,16 @@ class Rasterizer {
     const bool small = may_be_small && high_x - low_x < max_extent && high_y - low_y < max_extent &&
                        last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
     if (!small) turn_farthest_first(a, b, c);
-    const ReversedPlane plane(a, b, c, area);
-    const bool centre = pattern_.size() == 1;
+    const ReversedPlane plane(a, b, c);
     fill([&](int x, int y, SampleOffset sample) {
-      if (small)
-        return centre ? plane.at(x, y, sample, first_x, first_y) : plane.beside_centre(x, y, sample, first_x, first_y);
-      return plane.at(x, y, sample, x / layout::tile * layout::tile, y / layout::tile * layout::tile);
+      const int tile_x = x / layout::tile * layout::tile, tile_y = y / layout::tile * layout::tile;
+      const int origin_x =
+          small ? first_x : std::clamp(a.x >> layout::subpixel_bits, tile_x, tile_x + layout::tile - 1);
+      const int origin_y =
+          small ? first_y : std::clamp(a.y >> layout::subpixel_bits, tile_y, tile_y + layout::tile - 1);
+      if (centre) return plane.at_centre(x, y, origin_x, origin_y);
+      return small ? plane.at_sample_of_small(x, y, sample, origin_x, origin_y)
+                   : plane.at_sample(x, y, sample, origin_x, origin_y);
     });
   }
 
@@ -91,6 +101,7 @@ class Rasterizer {
     const std::int64_t start = steep ? a.y : a.x, stop = steep ? b.y : b.x, across = steep ? a.x : a.y;
     const std::int64_t run = stop - start, rise = steep ? b.x - a.x : b.y - a.y;
     if (run == 0) return;
+    const LineDepth depth(plan_, a, b, steep);
     const int limit = steep ? plan_.height : plan_.width;
     for (int along = 0; along < limit; ++along) {
       const std::int64_t offset = pixel_centre(along) - start;
@@ -99,7 +110,7 @@ class Rasterizer {
       const std::int64_t other = numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
       if (other < 0 || other >= (steep ? plan_.width : plan_.height)) continue;
       const int x = steep ? static_cast<int>(other) : along, y = steep ? along : static_cast<int>(other);
-      if (visible_.rows.next_from(y) == y) cover(x, y, 0, depth_on_line(plan_, a, b, offset, run), identity);
+      if (visible_.rows.next_from(y) == y) cover(x, y, 0, depth.at(offset), identity);
     }
   }
 
@@ -111,6 +122,7 @@ class Rasterizer {
     const std::int64_t run = stop - start, rise = steep ? b.x - a.x : b.y - a.y;
     if (run == 0) return;
     const std::int64_t half = half_thickness(run, rise, width);
+    const LineDepth depth(plan_, a, b, steep);
     const int limit = steep ? plan_.height : plan_.width, across_limit = steep ? plan_.width : plan_.height;
     // Of a pixel to the one next to it the line moves by a pixel across at most.
     const auto reach = static_cast<int>(half / layout::subpixels) + 2;
@@ -132,12 +144,11 @@ class Rasterizer {
           const std::int64_t beside = run * ((steep ? px : py) - across) - rise * offset;
           if (offset < 0 || offset >= run || beside < -half * run || beside >= half * run) continue;
           if (is_forward(plan_.depth_format)) {
-            cover(x, y, s, depth_on_line(plan_, a, b, offset, run), identity);
+            cover(x, y, s, depth.at(offset), identity);
             continue;
           }
-          const float centre = depth_on_line(plan_, a, b, centre_offset, run).depth;
-          const float slope = (b.depth - a.depth) * static_cast<float>(layout::subpixels) / static_cast<float>(run);
-          cover(x, y, s, {std::fma(slope, steep ? sample.pixels_y() : sample.pixels_x(), centre)}, identity);
+          const float centre = depth.at(centre_offset).depth;
+          cover(x, y, s, {std::fma(depth.slope(), steep ? sample.pixels_y() : sample.pixels_x(), centre)}, identity);
         }
       }
     }

@@ -3,13 +3,15 @@
 // u = 2^-24. A component of clip space is a matrix row, rounded, times a morphed point: 4 roundings of the row's terms
 // and 2 more for each morph target, relative to the sum of the terms' sizes. So vertex_bound = (2 targets + 8) u S / w.
 //
-// Snapping turns that into 0 or 1 sub-pixel, rarely more where a vertex lies far outside the picture: `shift`.
+// Snapping turns that into 0 or 1 sub-pixel, rarely more where a vertex lies far outside the picture: `shift`. Rounding
+// to corner units, where planes go through, likewise: `plane_shift`.
 //
-// Depth D (1 / distance, or the distance where projectors are parallel) is affine on the screen. A pixel that the
-// shifted triangle covers is a convex combination b of its corners p + shift, so the true plane D there differs from
-// the same combination of corner depths by exactly gradient . sum(b shift). To that come the corners' own errors and
-// the roundings of the evaluation, 12 of them, of terms that start at a corner of the tile, up to 64 pixels away:
-//   |D' - D| <= |gradient| shift + 24 u (max D + 64 * 256 G) + vertex_bound max D,
+// Depth D (1 / distance, or the distance where projectors are parallel) is affine on the screen. A pixel is a
+// combination b of the corners p + plane_shift, convex but where the grid covers what is outside the corners, so the
+// true plane D there differs from the same combination of corner depths by exactly gradient . sum(b plane_shift). To
+// that come the corners' own errors and the roundings of the evaluation, 12 of them, of terms that start at a pixel up
+// to 64 away:
+//   |D' - D| <= sum |b| (|gradient| plane_shift + vertex_bound max D) + 24 u (sum |b| max D + 64 * 256 G),
 // with G the gradient without cancellation, its terms taken by their sizes.
 //
 // Colours are bounded where the triangle's vertices snap as they should: light from directions is a cosine, whose error
@@ -41,8 +43,10 @@ using Truth64 = PreciseFrame<OnGrid<double>>;
 struct JudgedVertex {
   bool on_screen;                    // fp32 needed no clipping
   ScreenPoint<std::int64_t> screen;  // exact
+  ScreenPoint<double> plane;         // exact, rounded to corner units
   double shift_x, shift_y;           // of fp32, sub-pixels
-  double bound;                      // vertex_bound of w
+  double plane_shift_x, plane_shift_y;
+  double bound;  // vertex_bound of w
 };
 
 class JudgedScene {
@@ -81,19 +85,27 @@ class JudgedScene {
       return sum;
     };
     const double roundings = 2.0 * static_cast<double>(draw.targets.size()) + 8;
-    JudgedVertex v{rendered.outcode == 0, {}, 0, 0, roundings * u * terms(draw.object_to_clip[3]) / exact.w};
+    JudgedVertex v{rendered.outcode == 0, {}, {}, 0, 0, 0, 0, roundings * u * terms(draw.object_to_clip[3]) / exact.w};
     if (!v.on_screen) return v;
-    v.screen = to_screen<OnGrid<double>>(Corner<double>{exact.x, exact.y, exact.w, exact.distance, {}}, plan.width,
-                                         plan.height);
+    const Corner<double> corner{exact.x, exact.y, exact.w, exact.distance, {}};
+    v.screen = to_screen<OnGrid<double>>(corner, plan.width, plan.height);
+    v.plane = corner_of_plane<OnGrid<double>>(corner, plan.width, plan.height);
     v.shift_x = std::abs(static_cast<double>(rendered.screen.x - v.screen.x));
     v.shift_y = std::abs(static_cast<double>(rendered.screen.y - v.screen.y));
+    constexpr double unit = 1.0 / layout::corner_units;
+    v.plane_shift_x = std::abs(static_cast<double>(rendered.screen.corner_x()) * unit - v.plane.x);
+    v.plane_shift_y = std::abs(static_cast<double>(rendered.screen.corner_y()) * unit - v.plane.y);
+    // In units of the grid.
     const auto max = [&](int row, double value, double half) {
       const double error =
           roundings * u * terms(draw.object_to_clip[row]) / exact.w + std::abs(value / exact.w) * v.bound;
       return 1 + std::floor(error * half);
     };
-    EXPECT_LE(v.shift_x, max(0, exact.x, 128.0 * plan.width)) << "vertex " << i;
-    EXPECT_LE(v.shift_y, max(1, exact.y, 128.0 * plan.height)) << "vertex " << i;
+    const double half_width = 128.0 * plan.width, half_height = 128.0 * plan.height;
+    EXPECT_LE(v.shift_x, max(0, exact.x, half_width)) << "vertex " << i;
+    EXPECT_LE(v.shift_y, max(1, exact.y, half_height)) << "vertex " << i;
+    EXPECT_LE(v.plane_shift_x, unit * max(0, exact.x, half_width / unit)) << "vertex " << i;
+    EXPECT_LE(v.plane_shift_y, unit * max(1, exact.y, half_height / unit)) << "vertex " << i;
     return v;
   }
 
@@ -105,7 +117,7 @@ struct Triangle {
   const JudgedVertex* judged[3];
   const PreciseVertex<double>* exact[3];
   bool unclipped = true, snapped_right = true;
-  double vertex_bound = 0, shift_x = 0, shift_y = 0;
+  double vertex_bound = 0, shift_x = 0, shift_y = 0, plane_shift_x = 0, plane_shift_y = 0;
 
   Triangle(const JudgedScene& scene, std::uint32_t object, std::uint32_t primitive) {
     const glm::uvec3 corners = scene.draw(object).mesh->triangles[primitive];
@@ -116,23 +128,30 @@ struct Triangle {
       vertex_bound = std::max(vertex_bound, judged[i]->bound);
       shift_x = std::max(shift_x, judged[i]->shift_x);
       shift_y = std::max(shift_y, judged[i]->shift_y);
+      plane_shift_x = std::max(plane_shift_x, judged[i]->plane_shift_x);
+      plane_shift_y = std::max(plane_shift_y, judged[i]->plane_shift_y);
     }
     snapped_right = shift_x == 0 && shift_y == 0;
   }
 
-  double depth_bound(bool parallel) const {
+  // At a pixel's centre.
+  double depth_bound(bool parallel, int px, int py) const {
     double d[3], x[3], y[3], largest = 0;
     for (int i = 0; i < 3; ++i) {
       d[i] = parallel ? exact[i]->distance : 1 / exact[i]->distance;
-      x[i] = static_cast<double>(judged[i]->screen.x);
-      y[i] = static_cast<double>(judged[i]->screen.y);
+      x[i] = judged[i]->plane.x;
+      y[i] = judged[i]->plane.y;
       largest = std::max(largest, std::abs(d[i]));
     }
     const double x1 = x[1] - x[0], x2 = x[2] - x[0], y1 = y[1] - y[0], y2 = y[2] - y[0];
     const double d1 = d[1] - d[0], d2 = d[2] - d[0], area = std::abs(x1 * y2 - x2 * y1);
     const double gradient_x = std::abs(y2 * d1 - y1 * d2) / area, gradient_y = std::abs(x1 * d2 - x2 * d1) / area;
     const double terms = (std::abs(y2 * d1) + std::abs(y1 * d2) + std::abs(x1 * d2) + std::abs(x2 * d1)) / area;
-    return gradient_x * shift_x + gradient_y * shift_y + 24 * u * (largest + 64 * 256 * terms) + vertex_bound * largest;
+    const double ox = pixel_centre(px) - x[0], oy = pixel_centre(py) - y[0], sign = x1 * y2 - x2 * y1 < 0 ? -1 : 1;
+    const double b1 = sign * (ox * y2 - oy * x2) / area, b2 = sign * (oy * x1 - ox * y1) / area;
+    const double sizes = std::abs(1 - b1 - b2) + std::abs(b1) + std::abs(b2);
+    return sizes * (gradient_x * plane_shift_x + gradient_y * plane_shift_y + vertex_bound * largest) +
+           24 * u * (sizes * largest + 64 * 256 * terms);
   }
 };
 
@@ -153,7 +172,7 @@ TEST(ErrorBound, Distances) {
       const double error = judge.plan.camera.parallel ? std::abs(shown.distance - hit->distance)
                                                       : std::abs(1 / double{shown.distance} - 1 / hit->distance);
       const double stored = u * (judge.plan.camera.parallel ? std::abs(hit->distance) : 2 / hit->distance);
-      const double bound = triangle.depth_bound(judge.plan.camera.parallel) + stored;
+      const double bound = triangle.depth_bound(judge.plan.camera.parallel, x, y) + stored;
       ASSERT_LE(error, bound) << "pixel " << x << ", " << y << ": distance " << shown.distance << ", exact "
                               << hit->distance;
       closest = std::max(closest, error / bound);

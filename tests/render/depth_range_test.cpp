@@ -1,0 +1,133 @@
+// The depth of a pixel lies between those of its primitive's ends, however thin that is and wherever its corners lie
+// between sub-pixels: steep sheets and needles, in every depth buffer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "host/render/frame/normalized_depth.hpp"
+#include "host/render/frame/raster_grid.hpp"
+#include "host/render/frame/scene_vertices.hpp"
+#include "host/render/reference/visibility.hpp"
+#include "morphcl/planner.hpp"
+#include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
+#include "tests/render/scene_builder.hpp"
+#include "tests/render/test_scenes.hpp"
+
+namespace morphcl::test {
+namespace {
+
+// Triangles around one line, of which many are thinner on the screen than a sub-pixel.
+Mesh needles(std::size_t count) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> along(-1, 1), thickness(-0.002f, 0.002f);
+  Mesh mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int corner = 0; corner < 3; ++corner)
+      mesh.positions.push_back({along(random), thickness(random), along(random) * 3});
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+struct Judged {
+  std::size_t samples = 0, outside = 0;
+};
+
+Judged judge(const Mesh& mesh, Shading shading, const glm::dvec3& eye, DepthFormat format, int samples_a_pixel) {
+  SceneBuilder builder(320, 180);
+  builder.add(mesh, shading, glm::dmat4(1.0), {1, 1, 1, 1}, true);
+  Scene& scene = builder.look(eye).scene();
+  scene.image.depth_format = format;
+  const Plan plan = plan_frame(scene, 0);
+  const RasterGrid grid(320, 180);
+  const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
+  reference::Visibility visible;
+  reference::find_visible(*plan, grid, {vertices}, {}, samples_a_pixel, visible);
+  const std::vector<glm::uvec2> edges = wireframe_edges(mesh);
+  Judged judged;
+  for (const reference::Sample& sample : visible.samples) {
+    if (sample.order == reference::no_order || sample.piece != reference::no_piece) continue;
+    std::vector<std::uint32_t> ends;
+    if (shading == Shading::wireframe)
+      ends = {edges[sample.primitive][0], edges[sample.primitive][1]};
+    else
+      for (int i = 0; i < 3; ++i) ends.push_back(mesh.triangles[sample.primitive][i]);
+    bool farther = false, nearer = false;
+    for (const std::uint32_t end : ends) {
+      const float depth = vertices[end].screen.depth;
+      if (is_forward(format)) {
+        const std::uint32_t key = reference::key_of(reference::normalized_depth_of(depth, *plan), format);
+        farther |= key <= sample.key;
+        nearer |= key >= sample.key;
+      } else {
+        farther |= depth <= sample.depth;
+        nearer |= depth >= sample.depth;
+      }
+    }
+    ++judged.samples;
+    judged.outside += !(farther && nearer);
+  }
+  return judged;
+}
+
+TEST(DepthRange, IsThatOfThePrimitive) {
+  const std::pair<const char*, Mesh> meshes[] = {
+      {"needles", needles(3000)}, {"sheet", make_grid({60, 60})}, {"sphere", make_sphere({96, 48})}};
+  for (const DepthFormat format : {DepthFormat::reversed_float, DepthFormat::fixed16, DepthFormat::fixed32})
+    for (const auto& [name, mesh] : meshes)
+      for (const Shading shading : {Shading::unlit, Shading::wireframe}) {
+        Judged total;
+        for (const double height : {0.003, 0.05, 1.0}) {
+          const Judged judged = judge(mesh, shading, {0.3, height, 2.5}, format, 1);
+          total.samples += judged.samples;
+          total.outside += judged.outside;
+        }
+        EXPECT_GT(total.samples, 500u) << name;
+        EXPECT_EQ(total.outside, 0u) << name << ", " << name_of(format) << ", wireframe "
+                                     << (shading == Shading::wireframe);
+      }
+}
+
+// Draws that interpolate distances: as fractions of the corners' distances, of which none is negative, within 8
+// roundings.
+TEST(DepthRange, OfSmoothSurfacesIsThatOfTheTriangle) {
+  for (const double height : {0.003, 0.02, 0.1, 1.0}) {
+    Mesh mesh = make_sphere({96, 48});
+    SceneBuilder builder(320, 180);
+    builder.add(mesh, Shading::smooth, place({0, 0, 0}, 1), {1, 1, 1, 1}, true);
+    builder.add(make_grid({60, 60}), Shading::smooth, place({0, 0, 0}, 3), {1, 1, 1, 1}, true);
+    const Scene& scene = builder.look({0.3, height, 5}).scene();
+    const Plan plan = plan_frame(scene, 0);
+    ASSERT_TRUE(plan->draws[0].interpolates_distance);
+    const RasterGrid grid(320, 180);
+    std::vector<std::vector<reference::Vertex>> vertices;
+    for (const Draw& draw : plan->draws) vertices.push_back(reference::project_vertices(draw, *plan, grid));
+    const reference::Visibility visible = reference::find_visible(*plan, grid, vertices);
+    FrameBuffer frame(320, 180, {Channel::color, Channel::depth});
+    make_reference_renderer()->render(plan, frame);
+    std::size_t judged = 0;
+    for (int y = 0; y < 180; ++y)
+      for (int x = 0; x < 320; ++x) {
+        const reference::Sample& sample = visible.sample(x, y);
+        if (sample.order == reference::no_order || sample.piece != reference::no_piece) continue;
+        const glm::uvec3 corner = plan->draws[sample.draw].mesh->triangles[sample.primitive];
+        float nearest = HUGE_VALF, farthest = 0;
+        for (int i = 0; i < 3; ++i) {
+          const float distance = vertices[sample.draw][corner[i]].clip.w;
+          nearest = std::min(nearest, distance);
+          farthest = std::max(farthest, distance);
+        }
+        const float shown = frame.depth_row(y)[x];
+        ++judged;
+        EXPECT_GE(shown, nearest * (1 - 0x1p-21f)) << x << ", " << y;
+        EXPECT_LE(shown, farthest * (1 + 0x1p-21f)) << x << ", " << y;
+      }
+    EXPECT_GT(judged, 1000u);
+  }
+}
+
+}  // namespace
+}  // namespace morphcl::test
