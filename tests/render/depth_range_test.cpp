@@ -18,31 +18,18 @@
 namespace morphcl::test {
 namespace {
 
-// Triangles around one line, of which many are thinner on the screen than a sub-pixel.
-Mesh needles(std::size_t count) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> along(-1, 1), thickness(-0.002f, 0.002f);
-  Mesh mesh;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (int corner = 0; corner < 3; ++corner)
-      mesh.positions.push_back({along(random), thickness(random), along(random) * 3});
-    const auto first = static_cast<std::uint32_t>(3 * i);
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  return mesh;
-}
-
 struct Judged {
   std::size_t samples = 0, outside = 0;
 };
 
-Judged judge(const Mesh& mesh, Shading shading, const glm::dvec3& eye, DepthFormat format, int samples_a_pixel) {
-  SceneBuilder builder(320, 180);
-  builder.add(mesh, shading, glm::dmat4(1.0), {1, 1, 1, 1}, true);
-  Scene& scene = builder.look(eye).scene();
-  scene.image.depth_format = format;
+// Every sample that shows something.
+Judged judge_scene(const Scene& scene, int samples_a_pixel) {
+  const Mesh& mesh = scene.meshes[0];
+  const DepthFormat format = scene.image.depth_format;
+  const bool lines = scene.objects[0].material.shading == Shading::wireframe;
   const Plan plan = plan_frame(scene, 0);
-  const RasterGrid grid(320, 180);
+  if (plan->draws.empty()) return {};
+  const RasterGrid grid(plan->width, plan->height);
   const auto vertices = reference::project_vertices(plan->draws.at(0), *plan, grid);
   reference::Visibility visible;
   reference::find_visible(*plan, grid, {vertices}, {}, samples_a_pixel, visible);
@@ -51,7 +38,7 @@ Judged judge(const Mesh& mesh, Shading shading, const glm::dvec3& eye, DepthForm
   for (const reference::Sample& sample : visible.samples) {
     if (sample.order == reference::no_order || sample.piece != reference::no_piece) continue;
     std::vector<std::uint32_t> ends;
-    if (shading == Shading::wireframe)
+    if (lines)
       ends = {edges[sample.primitive][0], edges[sample.primitive][1]};
     else
       for (int i = 0; i < 3; ++i) ends.push_back(mesh.triangles[sample.primitive][i]);
@@ -73,6 +60,14 @@ Judged judge(const Mesh& mesh, Shading shading, const glm::dvec3& eye, DepthForm
   return judged;
 }
 
+Judged judge(const Mesh& mesh, Shading shading, const glm::dvec3& eye, DepthFormat format, int samples_a_pixel) {
+  SceneBuilder builder(320, 180);
+  builder.add(mesh, shading, glm::dmat4(1.0), {1, 1, 1, 1}, true);
+  Scene& scene = builder.look(eye).scene();
+  scene.image.depth_format = format;
+  return judge_scene(scene, samples_a_pixel);
+}
+
 TEST(DepthRange, IsThatOfThePrimitive) {
   const std::pair<const char*, Mesh> meshes[] = {
       {"needles", needles(3000)}, {"sheet", make_grid({60, 60})}, {"sphere", make_sphere({96, 48})}};
@@ -89,6 +84,36 @@ TEST(DepthRange, IsThatOfThePrimitive) {
         EXPECT_EQ(total.outside, 0u) << name << ", " << name_of(format) << ", wireframe "
                                      << (shading == Shading::wireframe);
       }
+}
+
+// One triangle a picture: its corners lie within a sub-pixel of a line, and far apart in depth.
+TEST(DepthRange, HoldsWhereATriangleIsThinnerThanASubPixel) {
+  constexpr int size = 64;
+  for (const DepthFormat format : {DepthFormat::reversed_float, DepthFormat::fixed24}) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Judged total;
+    for (int i = 0; i < 8000; ++i) {
+      const double slope = unit(random), height = unit(random) * 0.2, thickness = 1.0 / 256 / (size / 2);
+      Mesh mesh;
+      for (int corner = 0; corner < 3; ++corner) {
+        const double x = unit(random), y = height + slope * x + thickness * unit(random);
+        const double distance = 2 + 40 * std::abs(unit(random));
+        mesh.positions.push_back(glm::vec3(glm::dvec3(x, y, -1) * distance));
+      }
+      mesh.triangles = {{0, 1, 2}};
+      SceneBuilder builder(size, size);
+      builder.add(mesh, Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
+      builder.look({0, 0, 0}, {0, 0, -1}).project(Perspective{90, 1, 100});
+      Scene& scene = builder.scene();
+      scene.image.depth_format = format;
+      const Judged judged = judge_scene(scene, 1);
+      total.samples += judged.samples;
+      total.outside += judged.outside;
+    }
+    EXPECT_GT(total.samples, 300u);
+    EXPECT_EQ(total.outside, 0u) << name_of(format);
+  }
 }
 
 // Draws that interpolate distances: as fractions of the corners' distances, of which none is negative, within 8

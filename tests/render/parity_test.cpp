@@ -4,6 +4,8 @@
 #include "morphcl/planner.hpp"
 
 #include "morphcl/renderer.hpp"
+#include "morphcl/solids.hpp"
+#include "tests/render/scene_builder.hpp"
 #include "tests/render/shared_session.hpp"
 #include "tests/render/test_scenes.hpp"
 #include "tests/support/channel_sets.hpp"
@@ -50,6 +52,28 @@ TEST(Parity, SizesThatDoNotFillTiles) {
       expect_parity(*device, *reference, soup, 0);
     }
   }
+}
+
+// Where coverage's grid has what is outside the corners: needles, and sheets seen nearly edge-on, in every form that
+// depth has.
+TEST(Parity, TrianglesThinnerThanASubPixel) {
+  const auto reference = make_reference_renderer();
+  for (const DepthFormat format : {DepthFormat::reversed_float, DepthFormat::forward_float, DepthFormat::fixed24})
+    for (const double height : {0.003, 0.05, 0.6}) {
+      SCOPED_TRACE(std::string(name_of(format)) + ", " + std::to_string(height));
+      SceneBuilder b(320, 180);
+      b.add(needles(3000), Shading::unlit, glm::dmat4(1.0), {1, 1, 1, 1}, true);
+      b.add(make_sphere({64, 32}), Shading::smooth, place({1.5, 0, -1}), {1, 0.5, 0, 1}, true);
+      b.add(make_grid({40, 40}), Shading::flat, place({0, -0.2, 0}, 3), {0, 0.5, 1, 1}, true);
+      b.add(make_grid({2, 2}), Shading::flat, place({0, -0.4, 0}, 6), {0, 0.5, 0.2, 1}, true);
+      Scene scene = b.look({0.3, height, 2.5}).scene();
+      scene.image.depth_format = format;
+      const auto device = make_device_renderer(shared_session());
+      expect_parity(*device, *reference, scene, 0);
+      scene.objects[0].material.base_color.a = 0.4;  // the same among layers
+      scene.objects[2].material.base_color.a = 0.7;
+      expect_parity(*make_device_renderer(shared_session()), *reference, scene, 0);
+    }
 }
 
 TEST(Parity, ChannelsThatWereNotAskedFor) {

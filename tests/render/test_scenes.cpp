@@ -291,6 +291,19 @@ Scene pyramid_to_cube(int w, int h) {
   return b.scene();
 }
 
+Mesh needles(std::size_t count) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> along(-1, 1), thickness(-0.002f, 0.002f);
+  Mesh mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int corner = 0; corner < 3; ++corner)
+      mesh.positions.push_back({along(random), thickness(random), along(random) * 3});
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
 Scene triangle_soup(unsigned seed, int triangles, int w, int h) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(-1, 1);

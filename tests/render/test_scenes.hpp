@@ -18,6 +18,9 @@ struct TestScene {
 // triangles, the others have `more_soup`.
 std::vector<TestScene> test_scenes(int width, int height, int more_soup = 3000);
 
+// Triangles around one line, of which many are thinner on the screen than a sub-pixel.
+Mesh needles(std::size_t count);
+
 // Triangles of all sizes and directions around a camera, many of them behind it, across the near plane and far outside.
 Scene triangle_soup(unsigned seed, int triangles, int width, int height);
 
