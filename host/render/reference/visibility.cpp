@@ -68,7 +68,7 @@ class Rasterizer {
       return;
     }
     // Small triangles measure depth from their own box, to samples by way of the pixel's centre; the others from the
-    // tile's corner, starting at the farthest vertex.
+    // tile's pixel that is next to the farthest vertex.
     const int max_extent = layout::tile * layout::subpixels;
     const bool small = may_be_small && high_x - low_x < max_extent && high_y - low_y < max_extent &&
                        last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
