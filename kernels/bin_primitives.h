@@ -56,7 +56,7 @@ static inline void add_fragment(Bins* bins, int x, int y, uint depth_bits, float
 
 // ---- large triangles ------------------------------------------------------------------------------------------------
 
-static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided, bool snaps) {
+static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint id, bool double_sided) {
   const long area = (long)(SUBPIXEL_OF(b.x) - SUBPIXEL_OF(a.x)) * (SUBPIXEL_OF(c.y) - SUBPIXEL_OF(a.y)) -
                     (long)(SUBPIXEL_OF(c.x) - SUBPIXEL_OF(a.x)) * (SUBPIXEL_OF(b.y) - SUBPIXEL_OF(a.y));
   if (area == 0 || (area < 0 && !double_sided)) return;
@@ -75,16 +75,16 @@ static inline void bin_large_triangle(Bins* bins, int4 a, int4 b, int4 c, uint i
   if (first_x > last_x || first_y > last_y) return;
 
   LargeTriangle t;
-  t.x[0] = CORNER_OF_PLANE(a.x, snaps);
-  t.x[1] = CORNER_OF_PLANE(b.x, snaps);
-  t.x[2] = CORNER_OF_PLANE(c.x, snaps);
-  t.y[0] = CORNER_OF_PLANE(a.y, snaps);
-  t.y[1] = CORNER_OF_PLANE(b.y, snaps);
-  t.y[2] = CORNER_OF_PLANE(c.y, snaps);
+  t.x[0] = CORNER_OF_PLANE(a.x);
+  t.x[1] = CORNER_OF_PLANE(b.x);
+  t.x[2] = CORNER_OF_PLANE(c.x);
+  t.y[0] = CORNER_OF_PLANE(a.y);
+  t.y[1] = CORNER_OF_PLANE(b.y);
+  t.y[2] = CORNER_OF_PLANE(c.y);
   t.id = id;
   const int dx[3] = {vx[1] - vx[0], vx[2] - vx[1], vx[0] - vx[2]},
             dy[3] = {vy[1] - vy[0], vy[2] - vy[1], vy[0] - vy[2]};
-  const long margin = snaps ? 0 : margin_of_large(dx, dy);
+  const long margin = SAMPLES > 1 ? 0 : margin_of_large(dx, dy);
   set_depth_plane(&t, a, b, c, bins->frame);
   keep_margin(&t, margin);
   const uint number = bins->large_count++;
@@ -243,8 +243,7 @@ static inline int16 edge_values(int16 dx, int16 dy, int16 vx, int16 vy, int16 px
 static inline void bin_triangle_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,
                                       global const int4* vertices, uint first, uint first_id) {
   // Front faces get a positive area: on the screen y points down, so the second and third corner change places.
-  const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0,
-             snaps = snaps_plane(draw);
+  const bool mirrored = (draw->flags & DRAW_MIRRORED) != 0, double_sided = (draw->flags & DRAW_DOUBLE_SIDED) != 0;
   global const uint* corner_a = indices + draw->indices + first;
   global const uint* corner_b = corner_a + (mirrored ? 1 : 2) * draw->index_pitch;
   global const uint* corner_c = corner_a + (mirrored ? 2 : 1) * draw->index_pitch;
@@ -258,8 +257,8 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
   FOR_THREE(i) {
     t.x[i] = SUBPIXEL_OF(t.corner_x[i]);
     t.y[i] = SUBPIXEL_OF(t.corner_y[i]);
-    t.corner_x[i] = CORNER_OF_PLANE(t.corner_x[i], snaps);
-    t.corner_y[i] = CORNER_OF_PLANE(t.corner_y[i], snaps);
+    t.corner_x[i] = CORNER_OF_PLANE(t.corner_x[i]);
+    t.corner_y[i] = CORNER_OF_PLANE(t.corner_y[i]);
   }
   const int16 low_x = min(t.x[0], min(t.x[1], t.x[2])), high_x = max(t.x[0], max(t.x[1], t.x[2]));
   const int16 low_y = min(t.y[0], min(t.y[1], t.y[2])), high_y = max(t.y[0], max(t.y[1], t.y[2]));
@@ -288,7 +287,7 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
       }
       area = select(area, -area, back);
     }
-    rasterize_small_triangles(bins, turned, area, snaps, small, first_x, first_y, last_x, last_y, first_id);
+    rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
   }
   const ulong2 lanes = mask_bytes(large);
   for (int half_vector = 0; half_vector < 2; half_vector++)
@@ -296,7 +295,7 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
       const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
       bytes = without_lane(bytes, in_half);
       bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
-                         first_id + (uint)lane * PIECES, double_sided, snaps);
+                         first_id + (uint)lane * PIECES, double_sided);
     }
 }
 
@@ -319,7 +318,7 @@ static inline void bin_clipped(Bins* bins, global const DrawConstants* draw, glo
   const uint second = draw->flags & DRAW_MIRRORED ? 0 : 1;
   for (uint i = 1; i + 1 < count; i++)
     bin_large_triangle(bins, corners[0], corners[i + second], corners[i + 1 - second], first_id + i,
-                       (draw->flags & DRAW_DOUBLE_SIDED) != 0, snaps_plane(draw));
+                       (draw->flags & DRAW_DOUBLE_SIDED) != 0);
 }
 
 // Whose lists the next primitives go into.

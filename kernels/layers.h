@@ -105,7 +105,7 @@ ALWAYS_INLINE BlendedSurface blended_surface(const Shader* s, const Surface* sur
   BlendedSurface result;
   result.alpha = surface_alpha(s, surface, p);
   result.color.r = result.color.g = result.color.b = 0.0f;
-  if (s->frame->writes_color) result.color = shade_surface(s, surface, p).color;
+  if (s->frame->writes_color) result.color = surface_color(s, surface, p);
   return result;
 }
 

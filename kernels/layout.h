@@ -103,9 +103,6 @@
 #define DRAW_TWO_FLOAT 128u      // vertices are computed in two floats
 #define DRAW_LIT_PER_PIXEL 256u  // of a flat draw: face_colors holds its faces' normals, which are lit per pixel
 #define DRAW_BLENDED 512u        // what lies behind shows through: it goes into lists of its own
-// Visibility is that of the plane through the sub-pixels that corners are snapped to; distances are interpolated like
-// attributes, whose weights the shading of such draws needs anyway.
-#define DRAW_INTERPOLATES_DISTANCE 1024u
 // Channel N takes the vertices' normals, or those of the faces; of lines neither.
 #define DRAW_VERTEX_NORMALS 4096u
 #define DRAW_FACE_NORMALS 8192u
@@ -249,9 +246,9 @@ typedef struct {
   // Where the tables in `frame` and `draws` begin, in words of 4 bytes.
   uint lights, changed_vertex_chunks, precise, background;
   uint draw_of_vertex_group, draw_of_primitive_group, draw_in_order;
-  uint channels;               // the table of ChannelConstants
-  uint writes_ids;             // tiles leave tables of ids, for shade_channels
-  uint interpolates_distance;  // some draw does
+  uint channels;    // the table of ChannelConstants
+  uint writes_ids;  // tiles leave tables of ids, for shade_channels
+  uint pad;
 } FrameConstants;
 
 #include "channel_layout.h"

@@ -30,12 +30,13 @@ typedef struct {
   int16 x[3], y[3], corner_x[3], corner_y[3], depth[3];
 } Triangles;
 
-// Whether depth is that of the plane through the sub-pixels, where the order of surfaces needs no care: of several
-// samples many lie beside an edge.
-static inline bool snaps_plane(global const DrawConstants* draw) {
-  return SAMPLES > 1 || (draw->flags & DRAW_INTERPOLATES_DISTANCE) != 0;
-}
-#define CORNER_OF_PLANE(corner, snaps) ((snaps) ? SUBPIXEL_OF(corner) * CORNER_UNITS : (corner))
+// Samples take depth from the plane through the sub-pixels, where the order of surfaces needs no care: many of them lie
+// beside an edge.
+#if SAMPLES > 1
+#define CORNER_OF_PLANE(corner) (SUBPIXEL_OF(corner) * CORNER_UNITS)
+#else
+#define CORNER_OF_PLANE(corner) (corner)
+#endif
 
 // From corner a to corner i, sub-pixels.
 #define ALL_ACROSS(t, i) (convert_float16((t)->corner_x[i] - (t)->corner_x[0]) * SUBPIXELS_OF_CORNER_UNIT)

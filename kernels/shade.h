@@ -14,6 +14,11 @@
 #include "tables.h"
 #include "vector.h"
 
+// The buffer may be too coarse for lighting, and of several samples none is where a pixel is shaded.
+#if defined(FORWARD_DEPTH) || SAMPLES > 1
+#define INTERPOLATES_DISTANCE
+#endif
+
 typedef struct {
   global const FrameConstants* frame;
   global const DrawConstants* draws;
@@ -44,7 +49,9 @@ typedef struct {
   Rgb color;         // base colour times the face's light
   int16 x[3], y[3];  // corners on the screen, corner units
   float16 inverse_w[3];
-  float16 depth[3];     // of the corners, as vertex records keep it
+#ifdef INTERPOLATES_DISTANCE
+  float16 depth[3];  // of the corners, as vertex records keep it
+#endif
   EyeVector normal[3];  // at the mesh's vertices; smooth draws
   Rgb tint[3];          // vertex colours
 #ifdef BLENDS
@@ -80,7 +87,9 @@ ALWAYS_INLINE Shader shader_of(global const FrameConstants* frame, global const 
 // orientation on the screen.
 typedef struct {
   float16 vertex[3];
-  float16 distance;  // along the view axis
+#ifdef INTERPOLATES_DISTANCE
+  float16 distance;  // along the view axis, interpolated like an attribute
+#endif
 } Weights;
 
 ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 depth) {
@@ -89,10 +98,6 @@ ALWAYS_INLINE float16 eye_distance(global const FrameConstants* frame, float16 d
 
 // Draws whose pixels need the weights of the mesh's vertices, or a position.
 #define NEEDS_WEIGHTS (DRAW_SMOOTH | DRAW_VERTEX_COLORS | DRAW_LIT_PER_PIXEL)
-
-ALWAYS_INLINE bool needs_weights(const Shader* s, global const DrawConstants* draw) {
-  return (draw->flags & NEEDS_WEIGHTS) || (s->frame->writes_depth && draw->flags & DRAW_INTERPOLATES_DISTANCE);
-}
 
 // ---- what is gathered -----------------------------------------------------------------------------------------------
 
@@ -155,7 +160,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   surface->color.g = draw->base_color[1];
   surface->color.b = draw->base_color[2];
   int16 f0, f1, f2, unused;
-  if (draw->flags & DRAW_FLAT && s->frame->writes_color) {
+  if (draw->flags & DRAW_FLAT) {
     const Lanes number = lanes_of(id.all >> PIECE_BITS);
     fetch(s->face_colors, number.lane, same, &f0, &f1, &f2, &unused);
     if (draw->flags & DRAW_LIT_PER_PIXEL) {
@@ -168,7 +173,7 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
       surface->color.b = as_float16(f2);
     }
   }
-  if (!needs_weights(s, draw)) return;
+  if (!(draw->flags & NEEDS_WEIGHTS)) return;
 
   uint vertex[3][LANES], corner[3][LANES];
   const uint first_number = draw->first_primitive_group * LANES, first_vertex = draw->first_vertex_group * LANES;
@@ -179,9 +184,11 @@ ALWAYS_INLINE void gather_surface(const Shader* s, global const DrawConstants* d
   FOR_THREE(i) {
     fetch(s->vertices, corner[i], same, &surface->x[i], &surface->y[i], &f1, &f0);
     surface->inverse_w[i] = as_float16(f0);
+#ifdef INTERPOLATES_DISTANCE
     surface->depth[i] = as_float16(f1);
+#endif
   }
-  if (draw->flags & DRAW_SMOOTH && s->frame->writes_color) FOR_THREE(i) {
+  if (draw->flags & DRAW_SMOOTH) FOR_THREE(i) {
       fetch(s->attributes, vertex[i], same, &f0, &f1, &f2, &unused);
       surface->normal[i].x = as_float16(f0);
       surface->normal[i].y = as_float16(f1);
@@ -239,32 +246,28 @@ ALWAYS_INLINE Areas within_triangle(global const DrawConstants* draw, Areas area
   return areas;
 }
 
-// Along the view axis, where what is shown lies. The depth buffer says it where it is fine enough and where it is: at
-// pixels' centres.
 #ifdef FORWARD_DEPTH
-ALWAYS_INLINE float16 distance_at(const Shader* s, const Surface* surface, Areas areas, Weights w, float16 depth) {
+ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
   return weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) /
          (w.vertex[0] + w.vertex[1] + w.vertex[2]);
 }
-#else
+#elif SAMPLES > 1
 // The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
 ALWAYS_INLINE float16 interpolated_distance(const Shader* s, const Surface* surface, Areas areas, Weights w) {
+  if (!s->frame->has_point_lights) return 0.0f;  // nobody asks
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (s->frame->camera.parallel) return -(weighted(w, surface->depth[0], surface->depth[1], surface->depth[2]) / total);
   return (areas.corner[0] + areas.corner[1] + areas.corner[2]) / total;
 }
-ALWAYS_INLINE float16 distance_at(const Shader* s, const Surface* surface, Areas areas, Weights w, float16 depth) {
-  if (SAMPLES == 1 && !(surface->draw->flags & DRAW_INTERPOLATES_DISTANCE)) return eye_distance(s->frame, depth);
-  if (!s->frame->has_point_lights && (SAMPLES > 1 || !s->frame->writes_depth)) return 0.0f;  // nobody asks
-  return interpolated_distance(s, surface, areas, w);
-}
 #endif
 
-ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Areas areas, float16 depth) {
+ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Areas areas) {
   Weights w;
   FOR_THREE(i) w.vertex[i] = areas.corner[i];
   if (!s->frame->camera.parallel) FOR_THREE(i) w.vertex[i] *= surface->inverse_w[i];
-  w.distance = distance_at(s, surface, areas, w, depth);
+#ifdef INTERPOLATES_DISTANCE
+  w.distance = interpolated_distance(s, surface, areas, w);
+#endif
   if (surface->any_cut) {
     const float16 a = weighted(w, surface->cut[0][0], surface->cut[1][0], surface->cut[2][0]);
     const float16 b = weighted(w, surface->cut[0][1], surface->cut[1][1], surface->cut[2][1]);
@@ -279,14 +282,13 @@ ALWAYS_INLINE Weights weights_from(const Shader* s, const Surface* surface, Area
 #if SAMPLES == 1
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
   const int16 px = (p->x + LANE) * SUBPIXELS + HALF_PIXEL, py = p->y * SUBPIXELS + HALF_PIXEL;
-  return weights_from(s, surface, within_triangle(surface->draw, areas_at(surface, px, py)),
-                      decoded_depth(p->depth, s->frame));
+  return weights_from(s, surface, within_triangle(surface->draw, areas_at(surface, px, py)));
 }
 #else
 // At the centre where it is in the triangle, else at the centroid, to which the place moves.
 ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pixels* p) {
   Areas areas = areas_at(surface, p->x, p->y);
-  if (p->centres_are_inside) return weights_from(s, surface, within_triangle(surface->draw, areas), 0.0f);
+  if (p->centres_are_inside) return weights_from(s, surface, within_triangle(surface->draw, areas));
   const float16 low = min(areas.corner[0], min(areas.corner[1], areas.corner[2])),
                 high = max(areas.corner[0], max(areas.corner[1], areas.corner[2]));
   const int16 outside = (low < 0.0f) & (high > 0.0f);
@@ -295,13 +297,17 @@ ALWAYS_INLINE Weights vertex_weights(const Shader* s, const Surface* surface, Pi
     p->y += p->centroid_y & outside;
     areas = areas_at(surface, p->x, p->y);
   }
-  return weights_from(s, surface, within_triangle(surface->draw, areas), 0.0f);
+  return weights_from(s, surface, within_triangle(surface->draw, areas));
 }
 #endif
 
 // Where what the pixels show is in eye space.
 ALWAYS_INLINE EyeVector eye_position(const Shader* s, Pixels p, Weights w) {
+#ifdef INTERPOLATES_DISTANCE
   const float16 distance = w.distance;
+#else
+  const float16 distance = eye_distance(s->frame, p.depth);
+#endif
 #if SAMPLES == 1
   const float16 x = convert_float16(p.x + LANE) + 0.5f, y = (float)p.y + 0.5f;
 #else
@@ -338,44 +344,25 @@ ALWAYS_INLINE Rgb smooth_light(const Shader* s, const Surface* surface, Pixels p
   return lambert(s->frame, normal, position);
 }
 
-// The colour of a surface, and at pixels' centres its distance.
-typedef struct {
-  Rgb color;
-  float16 distance;
-} ShadedPixels;
-
-// What the depth buffer says of distances: of draws that do not interpolate them.
-ALWAYS_INLINE float16 buffered_distance(const Shader* s, Pixels p) {
-#if SAMPLES == 1
-  return eye_distance(s->frame, decoded_depth(p.depth, s->frame));
-#else
-  return 0.0f;
-#endif
-}
-
-ALWAYS_INLINE ShadedPixels shade_surface(const Shader* s, const Surface* surface, Pixels p) {
-  ShadedPixels shown;
-  shown.color = surface->color;
-  shown.distance = buffered_distance(s, p);
+ALWAYS_INLINE Rgb surface_color(const Shader* s, const Surface* surface, Pixels p) {
+  Rgb color = surface->color;
   const uint flags = surface->draw->flags;
-  if (!needs_weights(s, surface->draw)) return shown;
+  if (!(flags & NEEDS_WEIGHTS)) return color;
   const Weights w = vertex_weights(s, surface, &p);
-  if (flags & DRAW_INTERPOLATES_DISTANCE) shown.distance = w.distance;
-  if (!s->frame->writes_color) return shown;
   const float16 total = w.vertex[0] + w.vertex[1] + w.vertex[2];
   if (flags & (DRAW_SMOOTH | DRAW_LIT_PER_PIXEL)) {
     const Rgb light = flags & DRAW_SMOOTH ? smooth_light(s, surface, p, w, total)
                                           : lambert(s->frame, surface->normal[0], eye_position(s, p, w));
-    shown.color.r *= light.r;
-    shown.color.g *= light.g;
-    shown.color.b *= light.b;
+    color.r *= light.r;
+    color.g *= light.g;
+    color.b *= light.b;
   }
   if (flags & DRAW_VERTEX_COLORS) {
-    shown.color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;
-    shown.color.g *= weighted(w, surface->tint[0].g, surface->tint[1].g, surface->tint[2].g) / total;
-    shown.color.b *= weighted(w, surface->tint[0].b, surface->tint[1].b, surface->tint[2].b) / total;
+    color.r *= weighted(w, surface->tint[0].r, surface->tint[1].r, surface->tint[2].r) / total;
+    color.g *= weighted(w, surface->tint[0].g, surface->tint[1].g, surface->tint[2].g) / total;
+    color.b *= weighted(w, surface->tint[0].b, surface->tint[1].b, surface->tint[2].b) / total;
   }
-  return shown;
+  return color;
 }
 
 ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
@@ -383,11 +370,9 @@ ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
 }
 
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
-ALWAYS_INLINE ShadedPixels shade_mixed(const Shader* s, Pixels p, uint16 ids) {
-  ShadedPixels result;
-  result.color.r = result.color.g = result.color.b = 0.0f;
-  result.distance = buffered_distance(s, p);
-  if (!(s->frame->writes_color | s->frame->interpolates_distance)) return result;
+ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
+  Rgb result;
+  result.r = result.g = result.b = 0.0f;
   const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
   if (s->frame->only_faces) {
@@ -395,9 +380,9 @@ ALWAYS_INLINE ShadedPixels shade_mixed(const Shader* s, Pixels p, uint16 ids) {
     const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> PIECE_BITS);
     int16 r, g, b, unused;
     GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
-    result.color.r = select(result.color.r, as_float16(r), waiting);
-    result.color.g = select(result.color.g, as_float16(g), waiting);
-    result.color.b = select(result.color.b, as_float16(b), waiting);
+    result.r = select(result.r, as_float16(r), waiting);
+    result.g = select(result.g, as_float16(g), waiting);
+    result.b = select(result.b, as_float16(b), waiting);
     return result;
   }
   while (any_lane(waiting)) {
@@ -408,11 +393,10 @@ ALWAYS_INLINE ShadedPixels shade_mixed(const Shader* s, Pixels p, uint16 ids) {
     const int16 here = waiting & (ids >= low) & (ids <= high);
     Surface surface;
     gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
-    const ShadedPixels shown = shade_surface(s, &surface, p);
-    result.color.r = select(result.color.r, shown.color.r, here);
-    result.color.g = select(result.color.g, shown.color.g, here);
-    result.color.b = select(result.color.b, shown.color.b, here);
-    result.distance = select(result.distance, shown.distance, here);
+    const Rgb color = surface_color(s, &surface, p);
+    result.r = select(result.r, color.r, here);
+    result.g = select(result.g, color.g, here);
+    result.b = select(result.b, color.b, here);
     waiting &= ~here;
   }
   return result;

@@ -90,10 +90,10 @@ COMPILED_ONCE Rgb colors_of_parts(const Shader* s, const Pixels* places, uint16 
   const Lanes of_lanes = lanes_of(ids);
   const uint first_id = of_lanes.lane[first_lane(waiting)];
   const uint16 all = select((uint16)(first_id), ids, as_uint16(waiting));
-  if (any_lane(all != first_id)) return shade_mixed(s, *places, all).color;
+  if (any_lane(all != first_id)) return mixed_color(s, *places, all);
   Surface surface;
   gather_surface(s, draw_of(s, first_id), lanes_of(first_id), true, &surface);
-  return shade_surface(s, &surface, *places).color;
+  return surface_color(s, &surface, *places);
 }
 
 ALWAYS_INLINE void add_color(Rgb color, int16 lanes, float16 samples, Rgb* sum) {
@@ -318,7 +318,7 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   p.y = (tile.y + row) * SUBPIXELS + HALF_PIXEL;
   p.centroid_x = p.centroid_y = 0;
   p.centres_are_inside = true;
-  return row_color(shade_primitive(s, column, id, p).color, 1.0f);
+  return row_color(color_of_primitive(s, column, id, p), 1.0f);
 }
 
 COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameConstants* restrict frame,

@@ -29,27 +29,6 @@
 #endif
 
 #ifdef BLENDS
-// Of pixels that show primitives (NO_ID: none).
-static inline float16 distances_of(const Shader* s, Pixels p, uint16 ids) {
-  float16 result = buffered_distance(s, p);
-  if (!s->frame->interpolates_distance) return result;
-  const Lanes id = lanes_of(ids);
-  int16 waiting = ids != NO_ID;
-  while (any_lane(waiting)) {
-    const uint first_id = id.lane[first_lane(waiting)];
-    global const DrawConstants* draw = draw_of(s, first_id);
-    const uint low = draw->first_primitive_group * (PIECES * LANES),
-               high = low + (draw->primitive_group_count * (PIECES * LANES) - 1);
-    const int16 here = waiting & (ids >= low) & (ids <= high);
-    waiting &= ~here;
-    if (!(draw->flags & DRAW_INTERPOLATES_DISTANCE)) continue;
-    Surface surface;
-    gather_surface(s, draw, lanes_of(select((uint16)(first_id), ids, as_uint16(here))), false, &surface);
-    result = select(result, vertex_weights(s, &surface, &p).distance, here);
-  }
-  return result;
-}
-
 // One row of a block that layers may lie in front of.
 ALWAYS_INLINE RowColor shade_layered_row(const Shader* s, Tile tile, int block, int row, const LayeredRow* layers,
                                          TilePixels pixels) {
@@ -62,7 +41,7 @@ ALWAYS_INLINE RowColor shade_layered_row(const Shader* s, Tile tile, int block, 
   p.depth = tile.depth[at];
   Rgb color;
   color.r = color.g = color.b = 0.0f;
-  if (any_lane(~background)) color = shade_mixed(s, p, ids).color;
+  if (s->frame->writes_color && any_lane(~background)) color = mixed_color(s, p, ids);
   float16 alpha = select((float16)(1.0f), 1.0f - layers->transmittance[0], background);
   if (s->frame->has_background) {
     const ushort4 halves = background_rows(s->frame)[p.y];
@@ -77,9 +56,9 @@ ALWAYS_INLINE RowColor shade_layered_row(const Shader* s, Tile tile, int block, 
   color.b = color.b * layers->transmittance[0] + layers->blue[0];
   if (s->frame->writes_depth) {
     const int16 nearer = layers->id[0] != NO_ID;
-    p.depth = select(p.depth, layers->depth, nearer);
-    const float16 distance = select(distances_of(s, p, select(ids, layers->id[0], as_uint16(nearer))),
-                                    (float16)(BACKGROUND_DEPTH), background & ~nearer);
+    const Depths depth = select(p.depth, layers->depth, nearer);
+    const float16 distance = select(eye_distance(s->frame, decoded_depth(depth, s->frame)), (float16)(BACKGROUND_DEPTH),
+                                    background & ~nearer);
     STREAM_STORE(distance,
                  (global float16*)(pixels.distance + row * pixels.row_bytes + column_of(block) * sizeof(float)));
   }
@@ -93,10 +72,9 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
   Pixels p;
   p.x = tile.x + first;
   p.y = tile.y + row;
-  ShadedPixels shown;
-  shown.color.r = shown.color.g = shown.color.b = 0.0f;
-  shown.distance = BACKGROUND_DEPTH;
-  float16 alpha = 0.0f;
+  Rgb color;
+  color.r = color.g = color.b = 0.0f;
+  float16 alpha = 0.0f, distance = BACKGROUND_DEPTH;
   int16 background = -1;
   if (column->content == PER_PIXEL) {
     const uint16 ids = tile.id[row * ROW_VECTORS + first / LANES];
@@ -104,23 +82,26 @@ ALWAYS_INLINE RowColor shade_row_of_block(const Shader* s, Column* column, Tile 
     p.depth = tile.depth[row * ROW_VECTORS + first / LANES];
     if (any_lane(ids != first_id)) {
       background = ids == NO_ID;
-      shown = shade_mixed(s, p, ids);
+      if (s->frame->writes_color) color = mixed_color(s, p, ids);
       alpha = select((float16)1.0f, (float16)0.0f, background);
-      shown.distance = select(shown.distance, (float16)BACKGROUND_DEPTH, background);
+      distance =
+          select(eye_distance(s->frame, decoded_depth(p.depth, s->frame)), (float16)BACKGROUND_DEPTH, background);
     } else if (first_id != NO_ID) {
-      shown = shade_primitive(s, column, first_id, p);
+      if (s->frame->writes_color) color = color_of_primitive(s, column, first_id, p);
       background = 0;
       alpha = 1.0f;
+      distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
     }
   } else if (column->content != CLEAR) {
     p.depth = depths_in_covered_row(column->triangle, column->origin, column->columns, row);
-    shown = shade_primitive(s, column, column->triangle->id, p);
+    if (s->frame->writes_color) color = color_of_primitive(s, column, column->triangle->id, p);
     background = 0;
     alpha = 1.0f;
+    distance = eye_distance(s->frame, decoded_depth(p.depth, s->frame));
   }
   if (s->frame->writes_depth)
-    STREAM_STORE(shown.distance, (global float16*)(pixels.distance + row * pixels.row_bytes + first * sizeof(float)));
-  const RowColor halves = row_color(shown.color, alpha);
+    STREAM_STORE(distance, (global float16*)(pixels.distance + row * pixels.row_bytes + first * sizeof(float)));
+  const RowColor halves = row_color(color, alpha);
   return s->frame->has_background ? over_background(halves, s->frame, p.y, background) : halves;
 }
 

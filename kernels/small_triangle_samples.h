@@ -48,8 +48,8 @@ static inline void add_fragments(Bins* bins, const SmallPlanes* planes, SmallRow
 }
 #endif
 
-static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, bool snaps, int16 active,
-                                             int16 first_x, int16 first_y, int16 last_x, int16 last_y, uint first_id) {
+static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x,
+                                             int16 first_y, int16 last_x, int16 last_y, uint first_id) {
   const int16 d1x = t.x[1] - t.x[0], d1y = t.y[1] - t.y[0], d2x = t.x[2] - t.x[0], d2y = t.y[2] - t.y[0];
   const int16 d3x = t.x[2] - t.x[1], d3y = t.y[2] - t.y[1];
   const int16 px = first_x * SUBPIXELS + HALF_PIXEL, py = first_y * SUBPIXELS + HALF_PIXEL;

@@ -3,8 +3,8 @@
 #ifndef MORPHCL_SMALL_TRIANGLES_H
 #define MORPHCL_SMALL_TRIANGLES_H
 
-static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, bool snaps, int16 active,
-                                             int16 first_x, int16 first_y, int16 last_x, int16 last_y, uint first_id) {
+static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area, int16 active, int16 first_x,
+                                             int16 first_y, int16 last_x, int16 last_y, uint first_id) {
   const int16 d1x = t.x[1] - t.x[0], d1y = t.y[1] - t.y[0], d2x = t.x[2] - t.x[0], d2y = t.y[2] - t.y[0];
   const int16 d3x = t.x[2] - t.x[1], d3y = t.y[2] - t.y[1];
   const int16 px = first_x * SUBPIXELS + HALF_PIXEL, py = first_y * SUBPIXELS + HALF_PIXEL;
@@ -13,12 +13,10 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
   int16 row2 = edge_values(-d2x, -d2y, t.x[2], t.y[2], px, py);
 
   const SmallPlanes planes = small_planes(t, area, px, py, bins->frame);
-  uint16 margin = 0;  // margin_of_edges()
-  if (!snaps) {
-    const uint16 size0 = abs(d1x) + abs(d1y), size1 = abs(d3x) + abs(d3y), size2 = abs(d2x) + abs(d2y);
-    margin = select(max(size0, max(size1, size2)) * 5 / 8 + 1, (uint16)(NO_MARGIN),
-                    min(size0, min(size1, size2)) < SHORT_EDGE);
-  }
+  // margin_of_edges()
+  const uint16 size0 = abs(d1x) + abs(d1y), size1 = abs(d3x) + abs(d3y), size2 = abs(d2x) + abs(d2y);
+  const uint16 margin = select(max(size0, max(size1, size2)) * 5 / 8 + 1, (uint16)(NO_MARGIN),
+                               min(size0, min(size1, size2)) < SHORT_EDGE);
 
   const int16 columns = last_x - first_x, rows = last_y - first_y;
   for (int j = 0; j < SMALL_PIXELS; j++) {
@@ -33,7 +31,7 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
       if (any_lane(covered)) {
         const int16 x = first_x + i, y = first_y + j;
         const int16 beside_edges = covered & (as_uint16(min_value) < margin);
-        const Depths depth = !snaps && any_lane(beside_edges)
+        const Depths depth = any_lane(beside_edges)
                                  ? small_depths_beside_edges(&t, &planes, row, i, x * SUBPIXELS + HALF_PIXEL,
                                                              y * SUBPIXELS + HALF_PIXEL, &covered)
                                  : small_depths(&planes, row, i, &covered);

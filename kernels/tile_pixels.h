@@ -101,12 +101,12 @@ ALWAYS_INLINE void start_block(Column* column, Tile tile, int first_column, uint
   column->columns = block_columns(column->origin, first_column);
 }
 
-ALWAYS_INLINE ShadedPixels shade_primitive(const Shader* s, Column* column, uint id, Pixels p) {
+ALWAYS_INLINE Rgb color_of_primitive(const Shader* s, Column* column, uint id, Pixels p) {
   if (column->surface_id != id) {
     gather_surface(s, draw_of(s, id), lanes_of(id), true, &column->surface);
     column->surface_id = id;
   }
-  return shade_surface(s, &column->surface, p);
+  return surface_color(s, &column->surface, p);
 }
 
 // Notes which blocks of the tile are `blank`, a bit a block, and returns those that are left as they are, as they were

@@ -147,8 +147,7 @@ class PreciseFrame {
     polygon = clipper.triangle(polygon);
     for (int i = 1; i + 1 < polygon.size; ++i) {
       const auto corner = [&](int at) { return polygon.corner[static_cast<std::size_t>(at)]; };
-      const ScreenTriangle<Geometry> piece({corner(0), corner(i), corner(i + 1)}, camera_, object.mirrored,
-                                           object.has_colors || object.shading == Shading::smooth);
+      const ScreenTriangle<Geometry> piece({corner(0), corner(i), corner(i + 1)}, camera_, object.mirrored);
       if (!piece.empty() && (piece.front() || object.double_sided)) visit(piece);
     }
   }

@@ -35,11 +35,9 @@ class ScreenTriangle {
   using Real = typename Geometry::Real;
   using Coordinate = typename Geometry::Coordinate;
 
-  // Corners in the order of the mesh; `mirrored`: its front faces turn clockwise; `interpolates_distance`: like
-  // attributes.
-  ScreenTriangle(const std::array<Corner<Real>, 3>& corners, const PreciseCamera<Real>& camera, bool mirrored,
-                 bool interpolates_distance)
-      : corner_(corners), width_(camera.width), height_(camera.height), interpolates_distance_(interpolates_distance) {
+  // Corners in the order of the mesh; `mirrored`: its front faces turn clockwise.
+  ScreenTriangle(const std::array<Corner<Real>, 3>& corners, const PreciseCamera<Real>& camera, bool mirrored)
+      : corner_(corners), width_(camera.width), height_(camera.height) {
     for (std::size_t i = 0; i < 3; ++i) {
       at_[i] = to_screen<Geometry>(corners[i], width_, height_);
       plane_[i] = corner_of_plane<Geometry>(corners[i], width_, height_);
@@ -133,7 +131,7 @@ class ScreenTriangle {
     if (!is_inside) {
       const bool nowhere = std::all_of(area.begin(), area.end(), [](const Real& part) { return part <= 0; });
       for (Real& part : inside) part = nowhere ? Real(1) : std::max(part, Real(0));
-      area = interpolates_distance_ ? inside : areas_at(mirror_image(p, area));
+      area = areas_at(mirror_image(p, area));
     }
     Hit<Real> hit{distance(area), {}, front_};
     Real total(0);
@@ -147,7 +145,7 @@ class ScreenTriangle {
   std::array<ScreenPoint<Coordinate>, 3> at_;  // for coverage
   std::array<ScreenPoint<Real>, 3> plane_;
   int width_, height_;
-  bool empty_ = false, front_ = true, interpolates_distance_;
+  bool empty_ = false, front_ = true;
 };
 
 }  // namespace morphcl::accuracy

@@ -11,7 +11,6 @@
 #include "morphcl/scene.hpp"
 #include "tests/render/cases_table.hpp"
 #include "tests/render/parity.hpp"
-#include "tests/support/channel_sets.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace morphcl::test {
@@ -47,24 +46,10 @@ glm::dvec3 mean_color(const FrameBuffer& frame) {
   return sum / covered;
 }
 
-// Distances of draws with normals or colours are interpolated like these, those of others come from the plane: two ways
-// of a dozen roundings each.
-void expect_distances(const FrameBuffer& expected, const FrameBuffer& actual) {
-  ASSERT_EQ(expected.width(), actual.width());
-  ASSERT_EQ(expected.height(), actual.height());
-  for (int y = 0; y < expected.height(); ++y)
-    for (int x = 0; x < expected.width(); ++x) {
-      const float distance = expected.depth_row(y)[x];
-      EXPECT_NEAR(actual.depth_row(y)[x], distance, 24 * 0x1p-24 * distance) << x << ", " << y;
-    }
-}
-
 void expect_picture(const std::string& file, const CasePicture& expected) {
   const auto frame = picture_of(file);
   if (!expected.like.empty()) {
-    const auto like = picture_of(expected.like);
-    EXPECT_TRUE(same_pixels(*like, *frame, color_alone)) << "expected the picture of " << expected.like;
-    expect_distances(*like, *frame);
+    EXPECT_TRUE(same_pixels(*picture_of(expected.like), *frame)) << "expected the picture of " << expected.like;
     return;
   }
   EXPECT_EQ(covered_pixels(*frame), expected.covered);

@@ -10,7 +10,6 @@
 #include "host/render/frame/scene_vertices.hpp"
 #include "host/render/reference/visibility.hpp"
 #include "morphcl/planner.hpp"
-#include "morphcl/renderer.hpp"
 #include "morphcl/solids.hpp"
 #include "tests/render/scene_builder.hpp"
 #include "tests/render/test_scenes.hpp"
@@ -113,44 +112,6 @@ TEST(DepthRange, HoldsWhereATriangleIsThinnerThanASubPixel) {
     }
     EXPECT_GT(total.samples, 300u);
     EXPECT_EQ(total.outside, 0u) << name_of(format);
-  }
-}
-
-// Draws that interpolate distances: as fractions of the corners' distances, of which none is negative, within 8
-// roundings.
-TEST(DepthRange, OfSmoothSurfacesIsThatOfTheTriangle) {
-  for (const double height : {0.003, 0.02, 0.1, 1.0}) {
-    Mesh mesh = make_sphere({96, 48});
-    SceneBuilder builder(320, 180);
-    builder.add(mesh, Shading::smooth, place({0, 0, 0}, 1), {1, 1, 1, 1}, true);
-    builder.add(make_grid({60, 60}), Shading::smooth, place({0, 0, 0}, 3), {1, 1, 1, 1}, true);
-    const Scene& scene = builder.look({0.3, height, 5}).scene();
-    const Plan plan = plan_frame(scene, 0);
-    ASSERT_TRUE(plan->draws[0].interpolates_distance);
-    const RasterGrid grid(320, 180);
-    std::vector<std::vector<reference::Vertex>> vertices;
-    for (const Draw& draw : plan->draws) vertices.push_back(reference::project_vertices(draw, *plan, grid));
-    const reference::Visibility visible = reference::find_visible(*plan, grid, vertices);
-    FrameBuffer frame(320, 180, {Channel::color, Channel::depth});
-    make_reference_renderer()->render(plan, frame);
-    std::size_t judged = 0;
-    for (int y = 0; y < 180; ++y)
-      for (int x = 0; x < 320; ++x) {
-        const reference::Sample& sample = visible.sample(x, y);
-        if (sample.order == reference::no_order || sample.piece != reference::no_piece) continue;
-        const glm::uvec3 corner = plan->draws[sample.draw].mesh->triangles[sample.primitive];
-        float nearest = HUGE_VALF, farthest = 0;
-        for (int i = 0; i < 3; ++i) {
-          const float distance = vertices[sample.draw][corner[i]].clip.w;
-          nearest = std::min(nearest, distance);
-          farthest = std::max(farthest, distance);
-        }
-        const float shown = frame.depth_row(y)[x];
-        ++judged;
-        EXPECT_GE(shown, nearest * (1 - 0x1p-21f)) << x << ", " << y;
-        EXPECT_LE(shown, farthest * (1 + 0x1p-21f)) << x << ", " << y;
-      }
-    EXPECT_GT(judged, 1000u);
   }
 }
 

@@ -83,7 +83,6 @@ const std::vector<Change> changes_of_pixels{
     {"object_to_eye", [](FramePlan& p) { p.draws[1].object_to_eye[2][3] = 0; }},
     {"normal_to_eye", [](FramePlan& p) { p.draws[1].normal_to_eye[2][2] = 1; }},
     {"base colour", [](FramePlan& p) { p.draws[0].base_color[3] = 0; }},
-    {"interpolated distances", [](FramePlan& p) { p.draws[0].interpolates_distance = true; }},
     {"light per pixel", [](FramePlan& p) { p.draws[0].lit_per_pixel = true; }},
     {"vertex colours", [](FramePlan& p) { p.draws[0].vertex_colors = true; }},
     {"target", [](FramePlan& p) { p.draws[1].targets.push_back({1, 1.0f, 0.0f}); }},

@@ -1,5 +1,5 @@
-// Where a surface turns away from the eye, the triangles on both sides of the edge cover the same pixels there. The one
-// in front shows.
+// Surfaces that meet keep their order. Where one turns away from the eye, the triangles on both sides of the edge cover
+// the same pixels there, and the one in front shows; of two in one place the one that is drawn first.
 #include <gtest/gtest.h>
 
 #include "host/render/frame/raster_grid.hpp"
@@ -54,6 +54,37 @@ TEST(SharedEdges, NoBackOfAConvexSolidShows) {
         EXPECT_GT(total.front, 100000u);
         EXPECT_EQ(total.back, 0u) << name;
       }
+}
+
+// However the two are shaded.
+TEST(SharedEdges, OfTwoSurfacesInOnePlaceTheOneDrawnFirstShows) {
+  Mesh colored = make_sphere({24, 12});
+  colored.colors.assign(colored.positions.size(), glm::vec4(1, 0.5f, 0, 1));
+  const std::pair<Mesh, Shading> kinds[] = {{make_sphere({24, 12}), Shading::unlit},
+                                            {make_sphere({24, 12}), Shading::flat},
+                                            {make_sphere({24, 12}), Shading::smooth},
+                                            {colored, Shading::flat}};
+  for (const auto& [first, shading_of_first] : kinds)
+    for (const auto& [second, shading_of_second] : kinds)
+      for (const DepthFormat format : {DepthFormat::reversed_float, DepthFormat::fixed24})
+        for (const int samples : {1, 4}) {
+          SceneBuilder builder(160, 90);
+          builder.add(first, shading_of_first);
+          builder.add(second, shading_of_second);
+          Scene& scene = builder.look({1.6, 1.1, 2.5}).scene();
+          scene.image.depth_format = format;
+          const Plan plan = plan_frame(scene, 0);
+          const RasterGrid grid(160, 90);
+          std::vector<std::vector<reference::Vertex>> vertices;
+          for (const Draw& draw : plan->draws) vertices.push_back(reference::project_vertices(draw, *plan, grid));
+          reference::Visibility visible;
+          reference::find_visible(*plan, grid, vertices, {}, samples, visible);
+          std::size_t of_first = 0, of_second = 0;
+          for (const reference::Sample& sample : visible.samples)
+            if (sample.order != reference::no_order) ++(sample.draw == 0 ? of_first : of_second);
+          EXPECT_GT(of_first, 1000u);
+          EXPECT_EQ(of_second, 0u) << static_cast<int>(shading_of_first) << static_cast<int>(shading_of_second);
+        }
 }
 
 }  // namespace

@@ -38,7 +38,6 @@ uint draw_flags(const Draw& draw) {
   if (draw.vertex_colors) flags |= DRAW_VERTEX_COLORS;
   if (draw.lit_per_pixel) flags |= DRAW_LIT_PER_PIXEL;
   if (draw.blended) flags |= DRAW_BLENDED;
-  if (draw.interpolates_distance) flags |= DRAW_INTERPOLATES_DISTANCE;
   if (draw.normals == NormalSource::vertices) flags |= DRAW_VERTEX_NORMALS;
   if (draw.normals == NormalSource::faces) flags |= DRAW_FACE_NORMALS;
   if (form_of(draw) == VertexForm::pivot) flags |= DRAW_PIVOT;
@@ -168,7 +167,6 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
   tables.displaced.clear();
   tables.any_flat = tables.any_smooth = tables.any_colors = tables.any_attributes = false;
   tables.only_faces = true;
-  tables.interpolates_distance = false;
   std::vector<std::pair<float, uint>> distances;
   distances.reserve(plan.draws.size());
   const Mesh* drawn = nullptr;
@@ -188,7 +186,6 @@ void make_draws(const FramePlan& plan, const MeshStore& meshes, FrameTables& tab
     tables.any_smooth |= draw.shading == Shading::smooth;
     tables.any_colors |= draw.vertex_colors;
     tables.any_attributes |= draw.normals != NormalSource::none;
-    tables.interpolates_distance |= draw.interpolates_distance;
     tables.only_faces &= draw.shading == Shading::flat && !draw.vertex_colors && !draw.lit_per_pixel && !draw.blended;
   }
   tables.any_attributes |= tables.any_flat || tables.any_smooth;
@@ -235,7 +232,6 @@ void make_frame_tables(const FramePlan& plan, const MeshStore& meshes, const Dev
   for (const EyeLight& light : plan.lights) tables.lights.push_back(make_light_constants(light));
   tables.frame = make_frame_constants(plan, picture);
   tables.frame.only_faces = tables.only_faces;
-  tables.frame.interpolates_distance = tables.interpolates_distance;
   if (!tables.draws.empty()) {
     const layout::DrawConstants& last = tables.draws.back();
     tables.frame.vertex_group_count = last.first_vertex_group + last.vertex_group_count;

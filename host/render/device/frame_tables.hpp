@@ -33,9 +33,8 @@ struct FrameTables {
   layout::FrameConstants frame{};        // without what depends on pools, chunks and where tables are
   ChannelTables channels;
   bool any_flat = false, any_smooth = false, any_colors = false;
-  bool any_attributes = false;         // of vertices, for light or channel N
-  bool interpolates_distance = false;  // some draw does
-  bool only_faces = true;              // every draw is flat, lit at its centre, and without vertex colours
+  bool any_attributes = false;  // of vertices, for light or channel N
+  bool only_faces = true;       // every draw is flat, lit at its centre, and without vertex colours
 };
 
 // Replaces `tables`, whose memory is used again, and their draws too where they come from the same: the meshes must

@@ -41,10 +41,6 @@ struct Draw {
   // where alpha_cutoff is not negative 1 or 0: at least as much, or less.
   bool blended = false;
   float alpha_cutoff = -1;
-  // The default depth buffer compares the depths of the plane through the sub-pixels that corners are snapped to, and
-  // distances are interpolated like attributes: of draws whose attributes the picture's colours interpolate, whatever
-  // channels it has. Otherwise both are those of the plane through the corners where they are.
-  bool interpolates_distance = false;
   bool lit_per_pixel = false;  // of a flat draw: its faces' normals meet the light at each pixel, not at their centres
   ActiveTargets targets;       // only those with a weight other than 0
   std::shared_ptr<const VertexAccuracy> accuracy;  // where the scene states an error; none: plain vertices

@@ -81,15 +81,13 @@ void add(Digester& digester, const EyeLight& light) {
 void add(Digester& digester, const Draw& draw) {
   // Left out: the object's number, which shows in object_id where that is asked for.
   const auto& [mesh, object, shading, double_sided, mirrored, object_to_clip, object_to_eye, normal_to_eye, base_color,
-               line_width, vertex_colors, blended, alpha_cutoff, interpolates_distance, lit_per_pixel, targets,
-               accuracy, displaced, object_id, material_id, crypto_object, crypto_material, albedo, normals, moves] =
-      draw;
-  digester.add(DrawKey{mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
-                       vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u) | (moves ? 8u : 0u) |
-                           (blended ? 16u : 0u) | (interpolates_distance ? 32u : 0u),
-                       alpha_cutoff, base_color, object_to_clip, object_to_eye, normal_to_eye, object_id, material_id,
-                       crypto_object, crypto_material, albedo, static_cast<std::uint32_t>(normals),
-                       count(targets.size())});
+               line_width, vertex_colors, blended, alpha_cutoff, lit_per_pixel, targets, accuracy, displaced, object_id,
+               material_id, crypto_object, crypto_material, albedo, normals, moves] = draw;
+  digester.add(DrawKey{
+      mesh, static_cast<std::uint32_t>(shading) | line_width << 8, double_sided, mirrored,
+      vertex_colors | (displaced ? 2u : 0u) | (lit_per_pixel ? 4u : 0u) | (moves ? 8u : 0u) | (blended ? 16u : 0u),
+      alpha_cutoff, base_color, object_to_clip, object_to_eye, normal_to_eye, object_id, material_id, crypto_object,
+      crypto_material, albedo, static_cast<std::uint32_t>(normals), count(targets.size())});
   for (const ActiveTarget& target : targets) digester.add(target);
   if (displaced) digester.add(displaced->hash);
   const VertexAccuracy plain;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "host/render/frame/depth_buffer.hpp"
 #include "host/render/frame/kernel_layout.hpp"
 #include "host/render/plan/transparency.hpp"
 #include "morphcl/transform.hpp"
@@ -44,8 +43,6 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
       transparency_of(object.material, context.vertex_alpha[object.mesh], context.plan.channels) == Transparency::some;
   const bool masked = draw.blended && object.material.alpha_mode == AlphaMode::mask;
   draw.alpha_cutoff = masked ? to_fp32(std::clamp(object.material.alpha_cutoff, 0.0, 2.0)) : -1.0f;
-  draw.interpolates_distance = !is_forward(context.plan.depth_format) &&
-                               (draw.vertex_colors || (draw.shading == Shading::smooth && !draw.mesh->normals.empty()));
   const bool shows_albedo = context.plan.has(Channel::albedo), shows_normals = context.plan.has(Channel::normal);
   draw.albedo = {};
   if (shows_albedo) std::copy_n(draw.base_color.begin(), 3, draw.albedo.begin());

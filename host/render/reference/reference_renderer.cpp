@@ -92,9 +92,8 @@ void draw_centres(const Picture& picture, const Rows& rows, bool with_color, ref
       }
       const reference::Sample& surface = reference::surface_at_centre(plan, visible, vertices, x, y);
       if (plan.has_depth())
-        row.distance[x] = surface.order == reference::no_order
-                              ? background_depth
-                              : reference::distance_at_centre(plan, visible, surface, vertices, x, y);
+        row.distance[x] =
+            surface.order == reference::no_order ? background_depth : reference::eye_distance(plan, surface.depth);
       if (with_channels) channels.write(centres.at(visible, surface, x, y), x, y);
       if (with_shares) write_shares(picture, visible, x, y);
     }

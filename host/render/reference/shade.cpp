@@ -52,9 +52,7 @@ SubPixelOffset centroid_of_coverage(const ScreenVertex corner[3], const Place& c
   return part.centroid(samples);
 }
 
-// Distance is the depth buffer's where one sample a pixel decides what is seen and the draw leaves it to that.
-Weights screen_weights(const FramePlan& plan, const Draw& draw, const ScreenVertex corner[3], const Areas& areas,
-                       const Place& place) {
+Weights screen_weights(const FramePlan& plan, const ScreenVertex corner[3], const Areas& areas, const Place& place) {
   Weights w;
   for (int i = 0; i < 3; ++i) {
     w.vertex[i] = areas.corner[i];
@@ -64,7 +62,7 @@ Weights screen_weights(const FramePlan& plan, const Draw& draw, const ScreenVert
     w.distance =
         std::fma(w.vertex[0], corner[0].depth, std::fma(w.vertex[1], corner[1].depth, w.vertex[2] * corner[2].depth)) /
         w.total();
-  } else if (!place.has_depth || draw.interpolates_distance) {
+  } else if (!place.has_depth) {
     // The weights are areas over w: in perspective their sum over that of the areas is the mean of 1 / w.
     const float* const a = areas.corner;
     w.distance =
@@ -142,7 +140,7 @@ ShadedSurface shade_at(const FramePlan& plan, const Visibility& visible, const S
     place.y += centroid->y;
     areas = areas_at(corner, place.x, place.y);
   }
-  Weights w = screen_weights(plan, draw, corner, within_triangle(draw, areas), place);
+  Weights w = screen_weights(plan, corner, within_triangle(draw, areas), place);
   if (is_cut) w = source_weights(w, visible.pieces[sample.piece]);
   if (draw.shading == Shading::smooth || draw.lit_per_pixel) {
     glm::vec3 normal = face.normal;
@@ -162,18 +160,6 @@ ShadedSurface shade_at(const FramePlan& plan, const Visibility& visible, const S
 }
 
 }  // namespace
-
-float distance_at_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
-                         const std::vector<std::vector<Vertex>>& vertices, int x, int y) {
-  const Draw& draw = plan.draws[sample.draw];
-  if (!draw.interpolates_distance) return eye_distance(plan, sample.depth);
-  const glm::uvec3 triangle = draw.mesh->triangles[sample.primitive];
-  const std::vector<Vertex>& own = vertices[sample.draw];
-  const ScreenVertex whole[3] = {own[triangle[0]].screen, own[triangle[1]].screen, own[triangle[2]].screen};
-  const ScreenVertex* const corner = sample.piece == no_piece ? whole : visible.pieces[sample.piece].corner;
-  const Place place{pixel_centre(x), pixel_centre(y), sample.depth, true};
-  return screen_weights(plan, draw, corner, within_triangle(draw, areas_at(corner, place.x, place.y)), place).distance;
-}
 
 ShadedSurface shade_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
                            const std::vector<std::vector<Vertex>>& vertices, int x, int y) {

@@ -17,10 +17,6 @@ struct ShadedSurface {
   float alpha;      // 0 to 1; 1 of opaque draws
 };
 
-// Of what `sample` shows at the pixel's centre, which is a sample; positive along the view axis.
-float distance_at_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
-                         const std::vector<std::vector<Vertex>>& vertices, int x, int y);
-
 // What `sample` shows, at the pixel's centre, which is a sample.
 ShadedSurface shade_centre(const FramePlan& plan, const Visibility& visible, const Sample& sample,
                            const std::vector<std::vector<Vertex>>& vertices, int x, int y);

@@ -21,8 +21,7 @@ std::vector<ShownPixel> shown_pixels(const FramePlan& plan) {
       }
       const glm::vec3 color =
           plan.has_color() ? shade_centre(plan, visible, sample, vertices, x, y).color : glm::vec3(0);
-      pixels.push_back({plan.draws[sample.draw].object, sample.primitive,
-                        distance_at_centre(plan, visible, sample, vertices, x, y), color});
+      pixels.push_back({plan.draws[sample.draw].object, sample.primitive, eye_distance(plan, sample.depth), color});
     }
   return pixels;
 }

@@ -56,9 +56,9 @@ class Rasterizer {
               cover(x, y, s, depth_at(x, y, pattern_[s]), identity);
           }
     };
-    // Where distances come from elsewhere, surfaces are compared on the plane through the sub-pixels.
+    // Samples take depth from the plane through the sub-pixels.
     const bool centre = pattern_.size() == 1;
-    if (!centre || plan_.draws[identity.draw].interpolates_distance)
+    if (!centre)
       for (ScreenVertex* const corner : {&a, &b, &c}) corner->rest_x = corner->rest_y = 0;
     if (is_forward(plan_.depth_format)) {
       const NormalizedDepthPlane plane(plan_, a, b, c, area);

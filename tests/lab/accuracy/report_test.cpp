@@ -91,7 +91,7 @@ const std::map<std::string, std::uint64_t> bits_of_operations = {
     {"spring", 0x7924b47d56918ae1},
     {"spring-chain", 0xd2ca153cb4e8b30a},
     {"point-in-polygon", 0x8b9519a819dd26e0},
-    {"whole-frame", 0x4a9044c9abcb142a},
+    {"whole-frame", 0xb70a3f6467174a28},
     {"antialiasing", 0xb0e18aab431743e7},
     {"blending", 0xba7615a2d480bd15},
 };
