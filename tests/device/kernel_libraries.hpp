@@ -10,8 +10,11 @@
 
 namespace morphcl::testing {
 
+// scripts/long asks for what takes minutes more.
+inline bool long_tests() { return std::getenv("MORPHCL_LONG_TESTS") != nullptr; }
+
 // Values of POCL_KERNELLIB_NAME whose instructions this processor has. Each takes half a minute of compiling: those
-// whose arithmetic instructions the next one has as well are left out, unless MORPHCL_ALL_KERNEL_LIBRARIES is set.
+// whose arithmetic instructions the next one has as well are left out, but in long_tests().
 inline std::vector<std::string> kernel_libraries_that_run_here() {
   struct Library {
     const char* name;
@@ -27,7 +30,6 @@ inline std::vector<std::string> kernel_libraries_that_run_here() {
       {"avx2", true, {"avx2", "fma"}},
       {"avx512", true, {"avx512f", "avx512bw", "avx512dq", "avx512vl", "avx512cd"}},
   };
-  const bool all = std::getenv("MORPHCL_ALL_KERNEL_LIBRARIES") != nullptr;
   std::vector<std::string> features;
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; features.empty() && std::getline(file, line);)
@@ -37,7 +39,7 @@ inline std::vector<std::string> kernel_libraries_that_run_here() {
     }
   std::vector<std::string> names;
   for (const Library& library : libraries)
-    if ((all || library.always) &&
+    if ((long_tests() || library.always) &&
         std::all_of(library.needs.begin(), library.needs.end(), [&](const std::string& need) {
           return std::find(features.begin(), features.end(), need) != features.end();
         }))

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,17 @@ constexpr ChannelSet all = every_channel;
 
 // Of the test scenes those that are drawn in ways of their own.
 std::vector<TestScene> scenes_of_all_ways(int width, int height) {
-  std::vector<TestScene> chosen;
-  for (TestScene& scene : test_scenes(width, height, 600))
-    for (const char* const name : {"across the near plane", "mirrored and two-sided", "faces under point lights",
-                                   "lines", "orthographic", "oblique", "without lights", "soup 7"})
-      if (scene.name == name) chosen.push_back(std::move(scene));
-  return chosen;
+  const std::set<std::string> names = {"across the near plane",
+                                       "mirrored and two-sided",
+                                       "faces under point lights",
+                                       "lines",
+                                       "orthographic",
+                                       "oblique",
+                                       "without lights",
+                                       "soup 7"};
+  std::vector<TestScene> scenes = test_scenes(width, height, 600);
+  std::erase_if(scenes, [&](const TestScene& scene) { return !names.contains(scene.name); });
+  return scenes;
 }
 
 // A small picture in which lines are wide, on and behind bodies, and cut by the near plane.

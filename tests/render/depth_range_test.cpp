@@ -93,7 +93,7 @@ TEST(DepthRange, HoldsWhereATriangleIsThinnerThanASubPixel) {
     std::uniform_real_distribution<double> unit(-1, 1);
     Judged total;
     for (int i = 0; i < 8000; ++i) {
-      const double slope = unit(random), height = unit(random) * 0.2, thickness = 1.0 / 256 / (size / 2);
+      const double slope = unit(random), height = unit(random) * 0.2, thickness = 1.0 / 256 * 2 / size;
       Mesh mesh;
       for (int corner = 0; corner < 3; ++corner) {
         const double x = unit(random), y = height + slope * x + thickness * unit(random);
