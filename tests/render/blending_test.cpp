@@ -298,19 +298,19 @@ TEST(Blending, MasksAreThereOrNot) {
   b.add(mesh, Shading::unlit, glm::dmat4(1), {0.5, 0.25, 1, 1});
   Material& material = b.scene().objects[0].material;
   material.alpha_mode = AlphaMode::mask;
-  material.alpha_cutoff = 0.25;
+  material.alpha_cutoff = 4.5 / size;  // alpha in the middle of pixel 4
   const FrameBuffer frame = drawn(*device, b.scene());
   for (int x = 0; x < size; ++x) {
-    const bool there = (x + 0.5) / size >= 0.25;
+    const bool there = x >= 4;
     EXPECT_EQ(alpha(frame, x, 3), there) << x;
     EXPECT_EQ(from_half(frame.color_row(0, 3)[static_cast<std::size_t>(x)]), there ? 0.5 : 0) << x;
     EXPECT_EQ(frame.depth_row(3)[static_cast<std::size_t>(x)], there ? 5.0f : background_depth) << x;
   }
   mesh.colors.clear();
   b.scene().meshes[0] = mesh;
-  material.base_color.a = 0.2;
+  material.base_color.a = 4.4 / size;
   EXPECT_EQ(draw_count(b.scene()), 0u);
-  material.base_color.a = 0.25;
+  material.base_color.a = 4.5 / size;
   EXPECT_EQ(draw_count(b.scene()), 1u);
   EXPECT_FALSE(blends(b.scene()));
 }
