@@ -167,7 +167,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   add_threads_option(command, options.device.threads);
   add_plan_option(command, options.leave_out);
   add_json_flag(command, options.json);
-  command.add_flag("--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
+  command.add_flag("-q,--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
   command.footer(examples_of("render"));
   command.callback([&] { action = [&] { return render_command(options); }; });
 }

@@ -29,14 +29,44 @@ std::string unknown_command(const CLI::App& app, const std::string& name) {
   return what + suggestion(name, {commands.begin(), commands.end()});
 }
 
+// What people type who come from other programs, or from another command of this one.
+struct Synonym {
+  std::string_view typed, known;
+};
+constexpr std::array synonyms{Synonym{"--out", "--output"},
+                              Synonym{"--output", "--out"},
+                              Synonym{"-v", "--verbose"},
+                              Synonym{"--silent", "--quiet"},
+                              Synonym{"--width", "--size"},
+                              Synonym{"--height", "--size"},
+                              Synonym{"--resolution", "--size"},
+                              Synonym{"-s", "--size"},
+                              Synonym{"-f", "--frames"},
+                              Synonym{"--start", "--frames"},
+                              Synonym{"--end", "--frames"},
+                              Synonym{"--range", "--frames"},
+                              Synonym{"--msaa", "--samples"},
+                              Synonym{"--spp", "--samples"},
+                              Synonym{"--antialiasing", "--samples"},
+                              Synonym{"--aovs", "--channels"},
+                              Synonym{"--passes", "--channels"},
+                              Synonym{"--layers", "--channels"},
+                              Synonym{"-j", "--threads"},
+                              Synonym{"--jobs", "--threads"},
+                              Synonym{"--continue", "--resume"},
+                              Synonym{"--skip-existing", "--resume"}};
+
 // Without its value, which may stand behind a '='.
 std::string unknown_option(const CLI::App& command, std::string_view argument) {
   const std::string_view name = argument.substr(0, argument.find('='));
   std::vector<std::string> options;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
-  return fmt::format("'{}' is no option of morphcl {}{}", printable(name), command.get_name(),
-                     suggestion(name, {options.begin(), options.end()}));
+  const std::string what = fmt::format("'{}' is no option of morphcl {}", printable(name), command.get_name());
+  for (const auto& [typed, known] : synonyms)
+    if (typed == name && std::ranges::find(options, known) != options.end())
+      return what + fmt::format("; did you mean \"{}\"?", known);
+  return what + suggestion(name, {options.begin(), options.end()});
 }
 
 }  // namespace

@@ -113,6 +113,17 @@ TEST_F(Usage, ANearMissIsNamed) {
   expect_one_line_error(run_tool({"plan", "shot.toml", "--frames", "3"}), 2, "did you mean \"--frame\"?");
 }
 
+// As other programs call it, or another command.
+TEST_F(Usage, ASynonymIsNamed) {
+  expect_usage_error({"--out", "a.#.exr"}, "'--out' is no option of morphcl render; did you mean \"--output\"?");
+  expect_usage_error({"--width=640"}, "did you mean \"--size\"?");
+  expect_usage_error({"-f", "3"}, "did you mean \"--frames\"?");
+  expect_usage_error({"--spp", "4"}, "did you mean \"--samples\"?");
+  expect_one_line_error(run_tool({"compare", "shot.toml", "--output", "a"}), 2, "did you mean \"--out\"?");
+  expect_one_line_error(run_tool({"info", "a.exr", "--jobs", "3"}), 2,
+                        "'--jobs' is no option of morphcl info; known: ");
+}
+
 // The lines of a help text that begin as a command line does.
 std::vector<std::string> examples_in(const std::string& help) {
   std::vector<std::string> examples;
