@@ -289,14 +289,9 @@ static inline void bin_triangle_group(Bins* bins, global const DrawConstants* dr
     }
     rasterize_small_triangles(bins, turned, area, small, first_x, first_y, last_x, last_y, first_id);
   }
-  const ulong2 lanes = mask_bytes(large);
-  for (int half_vector = 0; half_vector < 2; half_vector++)
-    for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
-      const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
-      bytes = without_lane(bytes, in_half);
-      bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
-                         first_id + (uint)lane * PIECES, double_sided);
-    }
+  FOR_EACH_LANE(lane, large)
+  bin_large_triangle(bins, records[corner_a[lane]], records[corner_b[lane]], records[corner_c[lane]],
+                     first_id + (uint)lane * PIECES, double_sided);
 }
 
 static inline void bin_line_group(Bins* bins, global const DrawConstants* draw, global const uint* indices,

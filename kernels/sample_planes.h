@@ -76,19 +76,20 @@ static inline void clear_block(Tile tile, uint block, Depth background) {
   }
 }
 
-// Asks for the fragments that a tile's list begins with.
+// Asks for the fragments of the page that ends at `head`.
 static inline void prefetch_fragments(ChunkBins bins, uint head) {
   for (uint i = first_of_page(head); i < head; i += 3) PREFETCH(&bins.fragments[i]);
 }
-#define FRAGMENTS_AHEAD 12  // four cache lines
 
-// Clears a block when the first fragment comes, which `touched` notes, a bit a block.
+// Clears a block when the first fragment comes, which `touched` notes, a bit a block. While a page is merged the next one
+// is asked for.
 static inline void merge_fragments(Tile tile, ChunkBins bins, uint head, Depth background, uint* touched) {
   TILE_MEMORY SampleDepths* depths = (TILE_MEMORY SampleDepths*)tile.depth;
   TILE_MEMORY SampleUints* ids = (TILE_MEMORY SampleUints*)tile.id;
   while (head) {
+    const uint next = head_before(bins.fragment_next, head), to_next = first_of_page(next) - first_of_page(head);
     for (uint i = first_of_page(head); i < head; i++) {
-      PREFETCH(&bins.fragments[i + FRAGMENTS_AHEAD]);
+      PREFETCH(&bins.fragments[i + to_next]);
       const SampleFragment f = bins.fragments[i];
       const uint place = f.place_and_mask & ((1u << PLACE_IN_TILE_BITS) - 1), block = place >> 8;
       if (!(*touched >> block & 1u)) {
@@ -102,7 +103,7 @@ static inline void merge_fragments(Tile tile, ChunkBins bins, uint head, Depth b
       depths[place] = select(held, depth, wins);
       ids[place] = select(held_id, (SampleUints)(f.id), wins);
     }
-    head = head_before(bins.fragment_next, head);
+    head = next;
   }
 }
 

@@ -369,6 +369,27 @@ ALWAYS_INLINE global const DrawConstants* draw_of(const Shader* s, uint id) {
   return &s->draws[s->draw_of_group[id / (PIECES * LANES)]];
 }
 
+// Where all colours are those of faces. The lanes of `of` have ids; the others are without meaning.
+ALWAYS_INLINE Rgb colors_of_faces(const Shader* s, uint16 ids, int16 of) {
+  const uint first = lanes_of(ids).lane[first_lane(of)];
+  const uint16 all = select((uint16)(first), ids, as_uint16(of));
+  int16 r, g, b, unused;
+  if (any_lane(all != first)) {
+    const Lanes number = lanes_of(all >> PIECE_BITS);
+    GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
+  } else {
+    const int4 color = s->face_colors[first >> PIECE_BITS];
+    r = color.x;
+    g = color.y;
+    b = color.z;
+  }
+  Rgb color;
+  color.r = as_float16(r);
+  color.g = as_float16(g);
+  color.b = as_float16(b);
+  return color;
+}
+
 // Pixels that show several primitives (NO_ID: none), gathered lane by lane, one draw after the other.
 ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
   Rgb result;
@@ -376,13 +397,10 @@ ALWAYS_INLINE Rgb mixed_color(const Shader* s, Pixels p, uint16 ids) {
   const Lanes id = lanes_of(ids);
   int16 waiting = ids != NO_ID;
   if (s->frame->only_faces) {
-    const uint first_id = id.lane[first_lane(waiting)];
-    const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(waiting)) >> PIECE_BITS);
-    int16 r, g, b, unused;
-    GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
-    result.r = select(result.r, as_float16(r), waiting);
-    result.g = select(result.g, as_float16(g), waiting);
-    result.b = select(result.b, as_float16(b), waiting);
+    const Rgb color = colors_of_faces(s, ids, waiting);
+    result.r = select(result.r, color.r, waiting);
+    result.g = select(result.g, color.g, waiting);
+    result.b = select(result.b, color.b, waiting);
     return result;
   }
   while (any_lane(waiting)) {

@@ -102,19 +102,6 @@ ALWAYS_INLINE void add_color(Rgb color, int16 lanes, float16 samples, Rgb* sum) 
   sum->b = select(sum->b, fma(color.b, samples, sum->b), lanes);
 }
 
-// Where all colours are those of faces.
-ALWAYS_INLINE void add_faces(const Shader* s, uint16 ids, int16 lanes, float16 samples, Rgb* sum) {
-  const uint first_id = lanes_of(ids).lane[first_lane(lanes)];
-  const Lanes number = lanes_of(select((uint16)(first_id), ids, as_uint16(lanes)) >> PIECE_BITS);
-  int16 r, g, b, unused;
-  GATHER_RECORDS(s->face_colors, number.lane, r, g, b, unused)
-  Rgb color;
-  color.r = as_float16(r);
-  color.g = as_float16(g);
-  color.b = as_float16(b);
-  add_color(color, lanes, samples, sum);
-}
-
 // Sums up 16 pixels of a row, whose first is (x, y) of the picture, or lists parts of them. Parts that are many in a
 // row, and the first of their pixels, are shaded at once.
 ALWAYS_INLINE void sum_up_row(const Shader* s, uint16* ids, int x, int y, int row_in_block, Parts* parts, Sums* sums) {
@@ -136,13 +123,12 @@ ALWAYS_INLINE void sum_up_row(const Shader* s, uint16* ids, int x, int y, int ro
   _Pragma("unroll") for (int i = 0; i < SAMPLES; i++) {
     int16 first = ids[i] != NO_ID;
     _Pragma("unroll") for (int before = 0; before < i; before++) first &= ids[before] != ids[i];
-    const uint lanes = bits_of_mask(first);
-    if (!lanes) continue;
+    if (!any_lane(first)) continue;
     int16 count = 0;
     _Pragma("unroll") for (int other = i; other < SAMPLES; other++) count -= ids[other] == ids[i];
     const float16 samples = convert_float16(count);
     if (s->frame->only_faces) {
-      add_faces(s, ids[i], first, samples, &sum);
+      add_color(colors_of_faces(s, ids[i], first), first, samples, &sum);
       continue;
     }
     int16 sum_x = 0, sum_y = 0;
@@ -152,7 +138,7 @@ ALWAYS_INLINE void sum_up_row(const Shader* s, uint16* ids, int x, int y, int ro
       sum_y += same & sample_y[other];
     }
     const int16 centroid_x = mean_offset(sum_x, samples), centroid_y = mean_offset(sum_y, samples);
-    if (parts->count == listed_before && popcount(lanes) >= MANY_PARTS) {
+    if (parts->count == listed_before && popcount(bits_of_mask(first)) >= MANY_PARTS) {
       Pixels p;
       p.x = (x + LANE) * SUBPIXELS + HALF_PIXEL;
       p.y = y * SUBPIXELS + HALF_PIXEL;
@@ -381,8 +367,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
 
   // ---- 3, 4, 5
   const Lanes content = lanes_of(blocks.content);
-  uint blank = 0;
-  for (int block = 0; block < LANES; block++) blank |= content.lane[block] == CLEAR ? 1u << block : 0u;
+  const uint blank = bits_of_mask(blocks.content == CLEAR);
   const size_t first_row = (number - tiles.first) / (uint)frame->tiles_x * TILE;
   const TilePixels pixels =
       pixels_of_tile(frame, picture + first_row * frame->row_bytes, number % (uint)frame->tiles_x);
@@ -411,6 +396,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
       store_layered_ids(&layers, tile, first / TILE_BLOCK, end - first, ids_of_tile(number - tiles.first, bins, frame));
     if (!frame->writes_color) continue;
 #endif
+    if (strip_is_left(left_as_it_is, first_block)) continue;
     for (int i = 0; i < TILE_BLOCKS; i++) {
       start_block(&columns[i], tile, i * TILE_BLOCK, content.lane[first_block + i], large);
 #ifdef BLENDS

@@ -182,8 +182,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
 
   // ---- 4
   const Lanes content = lanes_of(blocks.content);
-  uint blank = 0;
-  for (int block = 0; block < LANES; block++) blank |= content.lane[block] == CLEAR ? 1u << block : 0u;
+  const uint blank = bits_of_mask(blocks.content == CLEAR);
   const size_t first_row = (number - tiles.first) / (uint)frame->tiles_x * TILE;
   const TilePixels pixels =
       pixels_of_tile(frame, picture + first_row * frame->row_bytes, number % (uint)frame->tiles_x);
@@ -213,6 +212,7 @@ COMPILED_ONCE void shade_tile(uint place, TileRange tiles, global const FrameCon
                         ids_of_tile(number - tiles.first, bins, frame));
     if (!(frame->writes_color | frame->writes_depth)) continue;
 #endif
+    if (strip_is_left(left_as_it_is, first_block)) continue;
     for (int row = first_row; row < min(first_row + TILE_BLOCK, rows); row++)
       for (int i = 0; i < TILE / TILE_BLOCK; i++) {
         if (left_as_it_is >> (first_block + (i & ~1)) & 1u) continue;

@@ -35,21 +35,17 @@ static inline void rasterize_small_triangles(Bins* bins, Triangles t, int16 area
                                  ? small_depths_beside_edges(&t, &planes, row, i, x * SUBPIXELS + HALF_PIXEL,
                                                              y * SUBPIXELS + HALF_PIXEL, &covered)
                                  : small_depths(&planes, row, i, &covered);
-        const ulong2 lanes = mask_bytes(covered);
         uint depth_bits[LANES];
         int tile[LANES], place[LANES];
         vstore16(as_uint16(depth), 0, depth_bits);
         vstore16((y >> TILE_BITS) * bins->tiles_x + (x >> TILE_BITS), 0, tile);
         vstore16(((y & (TILE - 1)) << TILE_BITS) | (x & (TILE - 1)), 0, place);
-        for (int half_vector = 0; half_vector < 2; half_vector++)
-          for (ulong bytes = half_vector ? lanes.y : lanes.x; bytes;) {
-            const int in_half = lowest_lane(bytes), lane = in_half + half_vector * 8;
-            bytes = without_lane(bytes, in_half);
-            const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
-            if (at >= bins->fragments.capacity * PAGE) continue;
-            bins->fragments_of_pixels[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * PIECES);
-            bins->fragment_places[at] = (ushort)place[lane];
-          }
+        FOR_EACH_LANE(lane, covered) {
+          const uint at = next_entry(&bins->fragments, (uint)tile[lane]);
+          if (at >= bins->fragments.capacity * PAGE) continue;
+          bins->fragments_of_pixels[at] = ((ulong)depth_bits[lane] << 32) | (first_id + (uint)lane * PIECES);
+          bins->fragment_places[at] = (ushort)place[lane];
+        }
       }
       value0 -= d1y * SUBPIXELS;
       value1 -= d3y * SUBPIXELS;

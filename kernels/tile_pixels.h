@@ -126,6 +126,12 @@ ALWAYS_INLINE uint mark_blank_blocks(uint blank, global const FrameConstants* fr
   return left_as_it_is & left_as_it_is >> 1;
 }
 
+// Whether so are all blocks of the strip that begins with block `first`.
+ALWAYS_INLINE bool strip_is_left(uint left_as_it_is, int first) {
+  const uint pairs = 1u | 1u << 2;
+  return (left_as_it_is >> first & pairs) == pairs;
+}
+
 // A launch's tiles, in the order in which they are drawn: neighbours cost alike, and one thread draws a run of them.
 typedef struct {
   uint first, count;

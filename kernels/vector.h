@@ -56,32 +56,33 @@ static inline Lanes lanes_of(uint16 vector) {
   return lanes;
 }
 
-// One byte a lane, two longs: what the loops over set lanes walk through.
-static inline ulong2 mask_bytes(int16 mask) { return as_ulong2(convert_char16(mask)); }
-
-static inline bool any_lane(int16 mask) {
-  ulong2 bytes = mask_bytes(mask);
-  return (bytes.x | bytes.y) != 0;
-}
-
-// The lowest set lane of eight, from their bytes, and the bytes without it.
-static inline int lowest_lane(ulong bytes) { return (63 - (int)clz(bytes & -bytes)) >> 3; }
-static inline ulong without_lane(ulong bytes, int lane) { return bytes & ~(0xffUL << (lane * 8)); }
-
-// Likewise of all sixteen.
-static inline int lowest_of_lanes(ulong2 bytes) { return bytes.x ? lowest_lane(bytes.x) : 8 + lowest_lane(bytes.y); }
-static inline int first_lane(int16 mask) { return lowest_of_lanes(mask_bytes(mask)); }
-
-// One bit a lane. The product adds the eight bytes, of which each has a bit of its own, into the upper one.
+// One bit a lane.
+#if defined(MORPHCL_POCL) && defined(__SSE2__)
+typedef char MaskBytes __attribute__((vector_size(LANES)));
 static inline uint bits_of_mask(int16 mask) {
-  const ulong2 bits = (mask_bytes(mask) & 0x8040201008040201UL) * 0x0101010101010101UL >> 56;
+  return (uint)__builtin_ia32_pmovmskb128(__builtin_astype(convert_char16(mask), MaskBytes));
+}
+static inline bool any_lane(int16 mask) { return bits_of_mask(mask) != 0; }
+#else
+// The product adds eight bytes, of which each has a bit of its own, into the upper one.
+static inline uint bits_of_mask(int16 mask) {
+  const ulong2 bits = (as_ulong2(convert_char16(mask)) & 0x8040201008040201UL) * 0x0101010101010101UL >> 56;
   return (uint)bits.x | (uint)bits.y << 8;
 }
+static inline bool any_lane(int16 mask) {
+  const ulong2 bytes = as_ulong2(convert_char16(mask));
+  return (bytes.x | bytes.y) != 0;
+}
+#endif
+
+// The number of the lowest bit that is set; some bit is.
+static inline int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
+static inline int first_lane(int16 mask) { return lowest_bit(bits_of_mask(mask)); }
 
 // for (lane of the mask, ascending). The inner loop runs once: it gives the lane its name.
 #define FOR_EACH_LANE(lane, mask)                                                          \
   for (uint lane##_bits = bits_of_mask(mask); lane##_bits; lane##_bits &= lane##_bits - 1) \
-    for (int lane = 31 - (int)clz(lane##_bits & -lane##_bits), lane##_once = 1; lane##_once; lane##_once = 0)
+    for (int lane = lowest_bit(lane##_bits), lane##_once = 1; lane##_once; lane##_once = 0)
 
 static inline float reduce_min(float16 v) {
   float8 a = min(v.lo, v.hi);
