@@ -81,8 +81,8 @@ static inline void prefetch_fragments(ChunkBins bins, uint head) {
   for (uint i = first_of_page(head); i < head; i += 3) PREFETCH(&bins.fragments[i]);
 }
 
-// Clears a block when the first fragment comes, which `touched` notes, a bit a block. While a page is merged the next one
-// is asked for.
+// Clears a block when the first fragment comes, which `touched` notes, a bit a block. While a page is merged the next
+// one is asked for.
 static inline void merge_fragments(Tile tile, ChunkBins bins, uint head, Depth background, uint* touched) {
   TILE_MEMORY SampleDepths* depths = (TILE_MEMORY SampleDepths*)tile.depth;
   TILE_MEMORY SampleUints* ids = (TILE_MEMORY SampleUints*)tile.id;
