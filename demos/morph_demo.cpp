@@ -9,5 +9,13 @@ int main(int argc, char** argv) {
       .width = 960,
       .height = 540,
   };
-  return morphcl::viewer::run_demo(settings, argc, argv);
+  const morphcl::viewer::DemoSettings deck{
+      .name = "morph_demo",
+      .description = "The lecture's own picture: white lines on black that turn by half a degree a tick",
+      .shot = "deck.toml",
+      .width = 600,
+      .height = 600,
+      .turning = morphcl::viewer::Turning{.axis = {1, 0, 1}, .degrees_a_tick = 0.5, .ticks_per_second = 100},
+  };
+  return morphcl::viewer::run_demo(settings, argc, argv, &deck);
 }

@@ -10,6 +10,9 @@ int main(int argc, char** argv) {
       .height = 600,
       .orthographic = morphcl::Orthographic{.left = -5, .right = 5, .bottom = -5, .top = 5, .near = -10, .far = 10},
       .frustum = morphcl::Frustum{.left = -2, .right = 2, .bottom = -2, .top = 2, .near = 3, .far = 10},
+      .first_projection = morphcl::viewer::ProjectionKind::orthographic,
+      .background = {{1, 1, 1}},
+      .lights_follow_eye = true,
   };
   return morphcl::viewer::run_demo(settings, argc, argv);
 }

@@ -25,6 +25,14 @@ bool DemoSession::press(Key key, const Size& size) {
 
 void DemoSession::advance() { state_ = viewer::advance(state_, limits_); }
 
+void DemoSession::turn_on() { state_ = viewer::turn_on(state_, limits_); }
+
+void DemoSession::start_turning() { state_.turning = limits_.turn_ticks > 0; }
+
+void DemoSession::drag(int right, int down) { state_ = viewer::drag(state_, right, down); }
+
+void DemoSession::zoom(int notches) { state_ = viewer::zoom(state_, notches); }
+
 RgbImage DemoSession::picture(const Size& size) {
   RgbImage picture = picture_of(frames_.render(state_.view, size));
   if (state_.help) draw_text_box(help_lines(limits_), picture);

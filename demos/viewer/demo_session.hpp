@@ -20,6 +20,12 @@ class DemoSession {
   // what FrameSource::export_frame() throws; the demo can go on then.
   bool press(Key key, const Size& size);
   void advance();  // one tick of playing
+  void turn_on();  // one tick of turning
+  void start_turning();
+
+  // The mouse: dragged by pixels, and the wheel's notches towards the picture.
+  void drag(int right, int down);
+  void zoom(int notches);
 
   // What stands on the screen.
   RgbImage picture(const Size& size);

@@ -14,7 +14,7 @@ void move_eye(View& view, int steps) {
   view.eye_steps = std::clamp(view.eye_steps + steps, -kMaxEyeSteps, kMaxEyeSteps);
 }
 
-void turn(int& orbit, int steps) { orbit = (orbit + steps + kOrbitSteps) % kOrbitSteps; }
+void circle(int& orbit, int steps) { orbit = ((orbit + steps) % kOrbitSteps + kOrbitSteps) % kOrbitSteps; }
 
 void toggle_playing(DemoState& state, const DemoLimits& limits) {
   if (limits.last_step == 0) return;
@@ -51,17 +51,22 @@ Transition apply(const DemoState& before, Key key, const DemoLimits& limits) {
       move_eye(view, -1);
       break;
     case Key::orbit_left:
-      turn(view.orbit_right, -1);
+      circle(view.orbit_right, -kOrbitStepsOfKey);
       break;
     case Key::orbit_right:
-      turn(view.orbit_right, 1);
+      circle(view.orbit_right, kOrbitStepsOfKey);
       break;
     case Key::orbit_up:
-      turn(view.orbit_up, 1);
+      circle(view.orbit_up, kOrbitStepsOfKey);
       break;
     case Key::orbit_down:
-      turn(view.orbit_up, -1);
+      circle(view.orbit_up, -kOrbitStepsOfKey);
       break;
+    case Key::turn:
+      state.turning = limits.turn_ticks > 0 && !state.turning;
+      break;
+    case Key::tick:
+      return {turn_on(state, limits)};
     case Key::help:
       state.help = !state.help;
       break;
@@ -78,6 +83,25 @@ DemoState advance(const DemoState& before, const DemoLimits& limits) {
   DemoState state = before;
   state.view.step = std::min(state.view.step + 1, limits.last_step);
   state.playing = state.view.step < limits.last_step;
+  return state;
+}
+
+DemoState turn_on(const DemoState& before, const DemoLimits& limits) {
+  DemoState state = before;
+  if (limits.turn_ticks > 0) state.view.turn = (state.view.turn + 1) % limits.turn_ticks;
+  return state;
+}
+
+DemoState drag(const DemoState& before, int right, int down) {
+  DemoState state = before;
+  circle(state.view.orbit_right, -right % kOrbitSteps);
+  circle(state.view.orbit_up, down % kOrbitSteps);
+  return state;
+}
+
+DemoState zoom(const DemoState& before, int notches) {
+  DemoState state = before;
+  state.view.zoom = std::clamp(state.view.zoom + std::clamp(notches, -kMaxZoom, kMaxZoom), -kMaxZoom, kMaxZoom);
   return state;
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
+#include "demos/viewer/eye_lights.hpp"
 #include "demos/viewer/view_camera.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/job.hpp"
@@ -19,21 +21,33 @@ std::vector<std::int64_t> frames_of(const Scene& scene) {
   return frames;
 }
 
+Scene with_background(Scene scene, const DemoSettings& settings) {
+  if (settings.background) scene.image.background = Background{*settings.background, *settings.background};
+  return scene;
+}
+
 }  // namespace
 
 FrameSource::FrameSource(Scene scene, DemoSettings settings, DemoRenderer& renderer)
-    : scene_(std::move(scene)),
+    : scene_(with_background(std::move(scene), settings)),
       settings_(std::move(settings)),
       renderer_(renderer),
       planner_(scene_),
       frames_(frames_of(scene_)),
       shot_camera_(scene_.timeline.camera),
+      shot_lights_(scene_.timeline.lights),
       shot_image_(scene_.image),
       shot_hash_(scene_.content_hash) {}
 
+DemoLimits FrameSource::limits() const {
+  DemoLimits limits{.last_step = static_cast<int>(frames_.size()) - 1};
+  if (settings_.turning) limits.turn_ticks = static_cast<int>(std::lround(360 / settings_.turning->degrees_a_tick));
+  return limits;
+}
+
 View FrameSource::first_view() const {
   View view;
-  view.projection = shot_projection(scene_.timeline, frames_.front());
+  view.projection = settings_.first_projection.value_or(shot_projection(scene_.timeline, frames_.front()));
   return view;
 }
 
@@ -47,13 +61,16 @@ void FrameSource::show(const View& view, const Size& size, const ImageSettings& 
   scene_.image.width = size.width;
   scene_.image.height = size.height;
   scene_.timeline.camera = shot_camera_;
+  scene_.timeline.lights = shot_lights_;
   scene_.content_hash = shot_hash_;
   const double aspect = static_cast<double>(size.width) / size.height;
   if (const auto camera = view_camera(scene_.timeline, frames_[view.step], view, settings_, aspect)) {
+    if (settings_.lights_follow_eye)
+      scene_.timeline.lights = lights_before_eye(scene_.timeline, frames_[view.step], *camera);
     scene_.timeline.camera = *camera;
     // A frame that the shot does not hold must not pass for one of its frames (`morphcl render --resume`).
-    scene_.content_hash += fmt::format("+{},{},{},{},{}", settings_.name, static_cast<int>(view.projection),
-                                       view.eye_steps, view.orbit_right, view.orbit_up);
+    scene_.content_hash += fmt::format("+{},{},{},{},{},{},{}", settings_.name, static_cast<int>(view.projection),
+                                       view.eye_steps, view.orbit_right, view.orbit_up, view.zoom, view.turn);
   }
 }
 

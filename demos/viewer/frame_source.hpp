@@ -27,7 +27,7 @@ class FrameSource {
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  DemoLimits limits() const { return {static_cast<int>(frames_.size()) - 1}; }
+  DemoLimits limits() const;
   View first_view() const;
   double frames_per_second() const;
 
@@ -42,12 +42,13 @@ class FrameSource {
  private:
   void show(const View& view, const Size& size, const ImageSettings& image);
 
-  Scene scene_;  // camera, image and hash are those of the view at hand
+  Scene scene_;  // camera, lights, image and hash are those of the view at hand
   const DemoSettings settings_;
   DemoRenderer& renderer_;
   const Planner planner_;                   // of scene_, whose meshes stay as they are
   const std::vector<std::int64_t> frames_;  // one a step
   const Camera shot_camera_;
+  const std::vector<Light> shot_lights_;
   const ImageSettings shot_image_;
   const std::string shot_hash_;
 

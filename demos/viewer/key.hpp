@@ -1,4 +1,5 @@
-// The keys of the demos: one table that the keyboard, the scripts and the help read.
+// The keys of the demos, and the tick of the clock that turns a scene: one table that the keyboard, the scripts and the
+// help read.
 #pragma once
 
 #include <optional>
@@ -19,6 +20,8 @@ enum class Key {
   orbit_right,
   orbit_up,
   orbit_down,
+  turn,
+  tick,
   help,
   export_frame,
   leave
@@ -26,11 +29,12 @@ enum class Key {
 
 struct KeyInfo {
   Key key;
-  std::string_view name;   // as scripts write it; a single character is also what the keyboard types
+  std::string_view name;   // as scripts write it; a single character is also what the keyboard types; empty: no key
   std::string_view alias;  // another name for the same key, or empty
   std::string_view does;
   bool repeats;      // while it is held down
   bool needs_steps;  // means nothing in a scene of one frame
+  bool needs_turn;   // means nothing in a scene that does not turn
 };
 
 std::span<const KeyInfo> key_table();

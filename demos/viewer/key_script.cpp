@@ -26,7 +26,8 @@ std::string_view trimmed(std::string_view text) {
 
 std::string key_names() {
   std::string names;
-  for (const KeyInfo& entry : key_table()) names += fmt::format("{}{}", names.empty() ? "" : " ", entry.name);
+  for (const KeyInfo& entry : key_table())
+    if (!entry.name.empty()) names += fmt::format("{}{}", names.empty() ? "" : " ", entry.name);
   return names;
 }
 
@@ -36,7 +37,8 @@ KeyPress parse_press(std::size_t number, std::string_view press) {
   const std::string_view name(press.begin(), name_end);
   const std::string_view digits(name_end, press.end());
 
-  const std::optional<Key> key = find_key(name);
+  std::optional<Key> key = find_key(name);
+  if (key == Key::turn) key = Key::tick;
   if (!key) refuse(number, press, fmt::format("starts with no key; keys are {}", key_names()));
   if (digits.empty()) return {*key, 1};
 

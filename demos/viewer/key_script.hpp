@@ -2,6 +2,8 @@
 //
 //   SCRIPT = PRESS { "," PRESS }    blanks around a press are ignored
 //   PRESS  = KEY [ COUNT ]          KEY: a name of key_table(); COUNT: 1 to 1,000,000, default 1
+//
+// A scene that turns does so by its clock in a window; in a script `t` is a tick of it.
 #pragma once
 
 #include <string_view>

@@ -52,6 +52,20 @@ Frustum matching_frustum(const Projection& projection, double distance, double a
   return {sides.left, sides.right, sides.bottom, sides.top, near, far};
 }
 
+Projection zoomed(const Projection& projection, double factor, double aspect) {
+  const Window sides = scaled(fitted_window(projection, aspect).window, factor);
+  const auto with_sides = [&sides](auto planes) {
+    planes.left = sides.left;
+    planes.right = sides.right;
+    planes.bottom = sides.bottom;
+    planes.top = sides.top;
+    planes.fit = Fit::stretch;
+    return planes;
+  };
+  if (const auto* oblique = std::get_if<Oblique>(&projection)) return with_sides(*oblique);
+  return with_sides(std::get<Orthographic>(projection));
+}
+
 Orthographic widened(const Orthographic& planes, double aspect) { return widened_planes(planes, aspect); }
 
 Frustum widened(const Frustum& planes, double aspect) { return widened_planes(planes, aspect); }

@@ -13,6 +13,9 @@ Orthographic matching_orthographic(const Projection& projection, double distance
 // The same for a frustum. A near plane behind or at the eye is brought to a thousandth of `distance`.
 Frustum matching_frustum(const Projection& projection, double distance, double aspect);
 
+// A parallel projection whose window, as the image shows it, is `factor` times as large about the view axis.
+Projection zoomed(const Projection& projection, double factor, double aspect);
+
 // `planes` with left and right, or bottom and top, moved outwards about their middle until the near plane has this
 // aspect; the same bits where it has it already.
 Orthographic widened(const Orthographic& planes, double aspect);

@@ -31,13 +31,15 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
-std::string footer() {
+std::string footer(bool turns) {
   std::string text = "Keys (held down, those that move go on moving):\n";
   for (const KeyInfo& entry : key_table()) {
+    if (entry.name.empty() || (entry.needs_turn && !turns)) continue;
     const std::string names =
         entry.alias.empty() ? std::string(entry.name) : fmt::format("{} {}", entry.name, entry.alias);
     text += fmt::format("  {:<7}{}\n", names, entry.does);
   }
+  text += "The mouse turns the scene with the left button down; the wheel brings it nearer.\n";
   return text +
          fmt::format(
              "\nA script is a comma list of presses, each a key of this table with an optional count from 1 to {}:\n"
@@ -70,11 +72,13 @@ void check_output(const DemoOptions& options) {
 
 }  // namespace
 
-std::optional<DemoOptions> parse_options(const DemoSettings& settings, int argc, const char* const* argv) {
+std::optional<DemoOptions> parse_options(const DemoSettings& settings, const DemoSettings* deck, int argc,
+                                         const char* const* argv) {
   DemoOptions options;
   std::string script, size;
   CLI::App app(settings.description, settings.name);
-  app.footer(footer());
+  app.footer(footer(settings.turning || (deck && deck->turning)));
+  if (deck) app.add_flag("--deck", options.deck, deck->description);
   app.add_option("--size", size, "Size of the picture, pixels")
       ->option_text(fmt::format("WxH [{}x{}]", settings.width, settings.height));
   app.add_option("--shot", options.shot, "Show another shot file or model")
@@ -102,7 +106,8 @@ std::optional<DemoOptions> parse_options(const DemoSettings& settings, int argc,
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorKind::usage, "", fmt::format("{}; see --help", printable(error.what())));
   }
-  options.size = size.empty() ? Size{settings.width, settings.height} : parse_size(size);
+  const DemoSettings& chosen = options.deck ? *deck : settings;
+  options.size = size.empty() ? Size{chosen.width, chosen.height} : parse_size(size);
   if (app.count("--script") > 0) options.script = parse_key_script(script);
   check_output(options);
   return options;

@@ -12,6 +12,7 @@
 namespace morphcl::viewer {
 
 struct DemoOptions {
+  bool deck = false;             // the settings of the lecture's own picture
   std::string shot;              // path; empty: the demo's own
   std::vector<KeyPress> script;  // pressed one after the other, before the keyboard
   bool headless = false;
@@ -22,6 +23,8 @@ struct DemoOptions {
 };
 
 // None when --help was asked for and printed. Error(usage) for everything that makes no sense.
-std::optional<DemoOptions> parse_options(const DemoSettings& settings, int argc, const char* const* argv);
+// `deck`: settings that --deck chooses, where a demo has them.
+std::optional<DemoOptions> parse_options(const DemoSettings& settings, const DemoSettings* deck, int argc,
+                                         const char* const* argv);
 
 }  // namespace morphcl::viewer

@@ -34,6 +34,7 @@ void darken(RgbImage& picture, const Box& box) {
 std::vector<std::string> help_lines(const DemoLimits& limits) {
   std::vector<std::string> lines;
   for (const KeyInfo& entry : key_table()) {
+    if (entry.name.empty() || (entry.needs_turn && limits.turn_ticks == 0)) continue;
     if (!entry.needs_steps || limits.last_step > 0) lines.push_back(fmt::format("{:<6} {}", entry.name, entry.does));
   }
   return lines;

@@ -45,7 +45,8 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
   FrameSource frames(std::move(scene), settings, renderer);
   DemoSession session(settings, frames);
   if (window) {
-    run_window(*window, session, options.script, frames.frames_per_second());
+    const double ticks_per_second = settings.turning.value_or(Turning{}).ticks_per_second;
+    run_window(*window, session, options.script, frames.frames_per_second(), ticks_per_second);
     window.reset();
   } else {
     run_headless(frames, session, options.script, options.size, options.out);
@@ -54,9 +55,9 @@ void run(const DemoSettings& settings, const DemoOptions& options) {
 }
 
 // Returns the exit code.
-int run_and_report(const DemoSettings& settings, int argc, const char* const* argv) {
+int run_and_report(const DemoSettings& settings, const DemoSettings* deck, int argc, const char* const* argv) {
   try {
-    if (const auto options = parse_options(settings, argc, argv)) run(settings, *options);
+    if (const auto options = parse_options(settings, deck, argc, argv)) run(options->deck ? *deck : settings, *options);
     return 0;
   } catch (const Error& error) {
     fmt::print(stderr, "{}: {}\n", settings.name, error.what());
@@ -69,9 +70,9 @@ int run_and_report(const DemoSettings& settings, int argc, const char* const* ar
 
 }  // namespace
 
-int run_demo(const DemoSettings& settings, int argc, const char* const* argv) {
+int run_demo(const DemoSettings& settings, int argc, const char* const* argv, const DemoSettings* deck) {
   open_closed_standard_streams();
-  const int code = run_and_report(settings, argc, argv);
+  const int code = run_and_report(settings, deck, argc, argv);
   if (thread_left_at_work()) {
     std::fflush(nullptr);
     end_process(code);

@@ -24,8 +24,11 @@ double now_seconds() {
 
 class WindowLoop {
  public:
-  WindowLoop(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second)
-      : window_(window), session_(session), script_(script), clock_(frames_per_second) {}
+  WindowLoop(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second,
+             double ticks_per_second)
+      : window_(window), session_(session), script_(script), clock_(frames_per_second), turn_clock_(ticks_per_second) {
+    if (script_.done()) session_.start_turning();  // a script has ticks of its own
+  }
 
   void run() {
     while (going_on_ && !window_.should_close()) {
@@ -33,6 +36,7 @@ class WindowLoop {
       const double now = now_seconds();
       take_keys(now);
       if (clock_.take_due(session_.state().playing, now)) session_.advance();
+      if (turn_clock_.take_due(session_.state().turning, now)) session_.turn_on();
       if (!going_on_) return;
       draw();
       window_.wait_for_events(idle_seconds());
@@ -55,6 +59,9 @@ class WindowLoop {
         hold_.release(event.key);
       }
     }
+    const MouseMove mouse = window_.take_mouse_move();
+    if (visible_ && (mouse.right != 0 || mouse.down != 0)) session_.drag(mouse.right, mouse.down);
+    if (visible_ && mouse.notches != 0) session_.zoom(mouse.notches);
     if (const auto key = hold_.take_due(now)) press(*key);
     if (script_is_next()) press(*script_.take_next());
   }
@@ -86,14 +93,14 @@ class WindowLoop {
   double idle_seconds() const {
     if (script_is_next()) return 0.0;
     const double repeat = hold_.next_due().value_or(std::numeric_limits<double>::infinity());
-    return std::max(0.0, std::min(repeat, clock_.next_due()) - now_seconds());
+    return std::max(0.0, std::min({repeat, clock_.next_due(), turn_clock_.next_due()}) - now_seconds());
   }
 
   Window& window_;
   DemoSession& session_;
   ScriptPlayer script_;
   HoldRepeat hold_;
-  PlayClock clock_;
+  PlayClock clock_, turn_clock_;
   bool going_on_ = true;
 
   Size size_;             // of the window, now
@@ -105,8 +112,9 @@ class WindowLoop {
 
 }  // namespace
 
-void run_window(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second) {
-  WindowLoop(window, session, script, frames_per_second).run();
+void run_window(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second,
+                double ticks_per_second) {
+  WindowLoop(window, session, script, frames_per_second, ticks_per_second).run();
 }
 
 }  // namespace morphcl::viewer

@@ -10,6 +10,8 @@
 namespace morphcl::viewer {
 
 // Until the window is closed. The script's presses are shown one by one, and wait while the animation plays.
-void run_window(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second);
+// `ticks_per_second`: of a scene that turns.
+void run_window(Window& window, DemoSession& session, const std::vector<KeyPress>& script, double frames_per_second,
+                double ticks_per_second);
 
 }  // namespace morphcl::viewer

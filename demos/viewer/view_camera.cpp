@@ -73,6 +73,28 @@ void move(Pose& pose, const View& view) {
   pose.up = rotation * pose.up;
 }
 
+// A scene that turns about the origin looks as from an eye that circles the other way.
+void turn(Pose& pose, const Turning& turning, int ticks) {
+  if (ticks == 0) return;
+  CompositeTransform back;
+  back.rotate_about_axis(glm::dvec3(0.0), turning.axis, -turning.degrees_a_tick * ticks);
+  const glm::dmat3 rotation(back.matrix());
+  pose.eye = rotation * pose.eye;
+  pose.target = rotation * pose.target;
+  pose.up = rotation * pose.up;
+}
+
+// What is parallel shows a smaller window, else the eye comes nearer.
+void zoom(Pose& pose, Projection& projection, int steps, double aspect) {
+  if (steps == 0) return;
+  const double factor = std::exp2(-steps / kZoomSteps);
+  const glm::dvec3 to_eye = pose.eye - pose.target;
+  if (is_parallel(projection))
+    projection = zoomed(projection, factor, aspect);
+  else
+    pose.eye = pose.target + factor * to_eye;
+}
+
 }  // namespace
 
 ProjectionKind kind_of(const Projection& projection) {
@@ -86,13 +108,16 @@ ProjectionKind shot_projection(const Timeline& timeline, std::int64_t frame) {
 std::optional<Camera> view_camera(const Timeline& timeline, std::int64_t frame, const View& view,
                                   const DemoSettings& settings, double aspect) {
   Pose pose = shot_pose(timeline, frame);
-  const bool moved = view.eye_steps != 0 || view.orbit_right != 0 || view.orbit_up != 0;
+  const bool moved =
+      view.eye_steps != 0 || view.orbit_right != 0 || view.orbit_up != 0 || view.zoom != 0 || view.turn != 0;
   const bool own_projection =
       kind_of(pose.projection) == view.projection && !settings.orthographic && !settings.frustum;
   if (!moved && own_projection) return std::nullopt;
 
-  const Projection projection = chosen_projection(pose, view.projection, settings, aspect);
+  Projection projection = chosen_projection(pose, view.projection, settings, aspect);
   move(pose, view);
+  zoom(pose, projection, view.zoom, aspect);
+  if (settings.turning) turn(pose, *settings.turning, view.turn);
   Camera camera;
   camera.projection = projection;
   camera.eye = pose.eye;

@@ -20,7 +20,9 @@ ProjectionKind shot_projection(const Timeline& timeline, std::int64_t frame);
 // gives the shot's camera itself, so that its frames are the frames that `morphcl render` writes. Else the camera is
 // fixed at what it is at `frame`:
 // - eye_steps moves the eye along the up vector by fortieths of its distance to the target;
-// - the orbit then turns eye and up vector about the target, so that there is no pole to get stuck at.
+// - the orbit then turns eye and up vector about the target, so that there is no pole to get stuck at;
+// - zooming brings the eye nearer to the target, or of a parallel projection makes the window smaller;
+// - a scene that turns (DemoSettings::turning) looks as from an eye that circles the other way.
 // Error(bad_input) when the shot has no camera at this frame (morphcl/timeline.hpp).
 std::optional<Camera> view_camera(const Timeline& timeline, std::int64_t frame, const View& view,
                                   const DemoSettings& settings, double aspect);

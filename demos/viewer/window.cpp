@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -17,6 +18,9 @@ struct Window::Impl {
   GLFWwindow* handle = nullptr;
   std::vector<KeyEvent> key_events;
   bool damaged = true;
+  bool dragging = false;
+  double cursor_x = 0, cursor_y = 0;                // of the drag
+  double dragged_x = 0, dragged_y = 0, turned = 0;  // pixels and notches that were not taken yet
 
   Impl() = default;
   Impl(const Impl&) = delete;
@@ -61,6 +65,13 @@ std::optional<Key> key_of(int glfw_key, int scancode) {
   return find_key(std::string_view(&letter, 1));
 }
 
+// The whole part of what is there, which is taken away.
+int take_whole(double& amount) {
+  const double whole = std::trunc(std::clamp(amount, -1e6, 1e6));
+  amount -= whole;
+  return static_cast<int>(whole);
+}
+
 Error no_window(std::string_view what) {
   const char* description = nullptr;
   glfwGetError(&description);
@@ -94,6 +105,21 @@ Window::Window(const std::string& title, const Size& size) : impl_(std::make_uni
   });
   glfwSetWindowRefreshCallback(
       impl_->handle, [](GLFWwindow* handle) { static_cast<Impl*>(glfwGetWindowUserPointer(handle))->damaged = true; });
+  glfwSetMouseButtonCallback(impl_->handle, [](GLFWwindow* handle, int button, int action, int) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    Impl& window = *static_cast<Impl*>(glfwGetWindowUserPointer(handle));
+    window.dragging = action == GLFW_PRESS;
+    glfwGetCursorPos(handle, &window.cursor_x, &window.cursor_y);
+  });
+  glfwSetCursorPosCallback(impl_->handle, [](GLFWwindow* handle, double x, double y) {
+    Impl& window = *static_cast<Impl*>(glfwGetWindowUserPointer(handle));
+    if (!window.dragging) return;
+    window.dragged_x += x - std::exchange(window.cursor_x, x);
+    window.dragged_y += y - std::exchange(window.cursor_y, y);
+  });
+  glfwSetScrollCallback(impl_->handle, [](GLFWwindow* handle, double, double notches) {
+    static_cast<Impl*>(glfwGetWindowUserPointer(handle))->turned += notches;
+  });
   glfwMakeContextCurrent(impl_->handle);
   glfwSwapInterval(1);
 }
@@ -136,6 +162,10 @@ void Window::wait_for_events(double seconds) {
 }
 
 std::vector<KeyEvent> Window::take_key_events() { return std::exchange(impl_->key_events, {}); }
+
+MouseMove Window::take_mouse_move() {
+  return {take_whole(impl_->dragged_x), take_whole(impl_->dragged_y), take_whole(impl_->turned)};
+}
 
 bool Window::take_damage() { return std::exchange(impl_->damaged, false); }
 

@@ -1,5 +1,5 @@
-// A window that shows finished pictures and tells which keys were pressed. Nothing is drawn here but the picture's
-// pixels.
+// A window that shows finished pictures and tells which keys were pressed and how the mouse moved. Nothing is drawn
+// here but the picture's pixels.
 #pragma once
 
 #include <memory>
@@ -15,6 +15,11 @@ namespace morphcl::viewer {
 struct KeyEvent {
   Key key;
   bool pressed;  // else released
+};
+
+// What the mouse did: dragged with the left button down, pixels, and the wheel's notches away from the user.
+struct MouseMove {
+  int right = 0, down = 0, notches = 0;
 };
 
 class Window {
@@ -35,6 +40,7 @@ class Window {
   void wait_for_events(double seconds);
 
   std::vector<KeyEvent> take_key_events();  // since the last call, in order
+  MouseMove take_mouse_move();              // since the last call, in all
   bool take_damage();                       // whether the window's content was lost since the last call
 
  private:

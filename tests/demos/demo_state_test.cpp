@@ -6,6 +6,8 @@ namespace morphcl::viewer {
 namespace {
 
 constexpr DemoLimits kHundredSteps{.last_step = 100};
+constexpr DemoLimits kTurning{.last_step = 100, .turn_ticks = 720};
+constexpr int kPressesOfOrbit = kOrbitSteps / kOrbitStepsOfKey;
 
 DemoState pressed(DemoState state, Key key, int times, const DemoLimits& limits = kHundredSteps) {
   for (int i = 0; i < times; ++i) state = apply(state, key, limits).state;
@@ -49,11 +51,45 @@ TEST(DemoState, EyeMovesUpAndDownAndStopsFarOut) {
 TEST(DemoState, AFullOrbitEndsWhereItBegan) {
   for (const Key key : {Key::orbit_left, Key::orbit_right, Key::orbit_up, Key::orbit_down}) {
     EXPECT_NE(pressed({}, key, 1), DemoState{}) << info(key).name;
-    EXPECT_NE(pressed({}, key, kOrbitSteps - 1), DemoState{}) << info(key).name;
-    EXPECT_EQ(pressed({}, key, kOrbitSteps), DemoState{}) << info(key).name;
+    EXPECT_NE(pressed({}, key, kPressesOfOrbit - 1), DemoState{}) << info(key).name;
+    EXPECT_EQ(pressed({}, key, kPressesOfOrbit), DemoState{}) << info(key).name;
   }
   EXPECT_EQ(pressed(pressed({}, Key::orbit_left, 5), Key::orbit_right, 5), DemoState{});
   EXPECT_EQ(pressed(pressed({}, Key::orbit_down, 5), Key::orbit_up, 5), DemoState{});
+}
+
+TEST(DemoState, ATurnComesBackToItsBeginning) {
+  EXPECT_EQ(pressed({}, Key::tick, 120, kTurning).view.turn, 120);
+  EXPECT_EQ(pressed({}, Key::tick, 719, kTurning).view.turn, 719);
+  EXPECT_EQ(pressed({}, Key::tick, 720, kTurning), DemoState{});
+  EXPECT_EQ(turn_on({}, kTurning), pressed({}, Key::tick, 1, kTurning));
+}
+
+TEST(DemoState, TurningIsStoppedAndGoesOn) {
+  const DemoState turning = pressed({}, Key::turn, 1, kTurning);
+  EXPECT_TRUE(turning.turning);
+  EXPECT_EQ(pressed(turning, Key::turn, 1, kTurning), DemoState{});
+  EXPECT_TRUE(pressed(turning, Key::step_forward, 3, kTurning).turning) << "k and p go on turning";
+}
+
+TEST(DemoState, AStillSceneDoesNotTurn) {
+  EXPECT_EQ(pressed({}, Key::tick, 5), DemoState{});
+  EXPECT_EQ(pressed({}, Key::turn, 1), DemoState{});
+  EXPECT_EQ(turn_on({}, kHundredSteps), DemoState{});
+}
+
+TEST(DemoState, DraggingIsAnOrbitOfAStepAPixel) {
+  EXPECT_EQ(drag({}, -kOrbitStepsOfKey, 0), pressed({}, Key::orbit_right, 1));
+  EXPECT_EQ(drag({}, 0, kOrbitStepsOfKey), pressed({}, Key::orbit_up, 1));
+  EXPECT_EQ(drag(drag({}, 1234, -99), -1234, 99), DemoState{});
+  EXPECT_EQ(drag({}, kOrbitSteps, -kOrbitSteps), DemoState{});
+  EXPECT_EQ(drag({}, 1'000'000, -1'000'000), drag({}, 1'000'000 % kOrbitSteps, -1'000'000 % kOrbitSteps));
+}
+
+TEST(DemoState, TheWheelStopsFarOutAndNear) {
+  EXPECT_EQ(zoom(zoom({}, 3), -3), DemoState{});
+  EXPECT_EQ(zoom({}, 1'000'000).view.zoom, kMaxZoom);
+  EXPECT_EQ(zoom({}, -1'000'000).view.zoom, -kMaxZoom);
 }
 
 TEST(DemoState, PlayingEndsAtTheLastStep) {

@@ -1,6 +1,7 @@
 // The demos without a window: scripts, files and errors.
 #include <algorithm>
 
+#include "demos/viewer/eye_lights.hpp"
 #include "morphcl/exr.hpp"
 #include "tests/demos/demo_program.hpp"
 #include "tests/demos/expected_frame.hpp"
@@ -67,9 +68,12 @@ TEST_F(Headless, TeapotsInBothProjectionsAreTheDemosOwn) {
   const struct {
     const char* script;
     Projection projection;
-  } cases[] = {{"o", Orthographic{-5, 5, -5, 5, -10, 10}}, {"f,k9", Frustum{-2, 2, -2, 2, 3, 10}}};
+  } cases[] = {{"o", Orthographic{-5, 5, -5, 5, -10, 10}},
+               {"h", Orthographic{-5, 5, -5, 5, -10, 10}},
+               {"f,k9", Frustum{-2, 2, -2, 2, 3, 10}}};
   for (const auto& [script, projection] : cases) {
     scene.timeline.camera.projection = projection;
+    scene.image.background = Background{glm::dvec3(1), glm::dvec3(1)};
     const test_support::ProcessResult result = run(
         kTeapots, {"--headless", "--size", "120x120", "--script", script, "--out", "t.exr", "--device", "reference"});
     ASSERT_EQ(result.code, 0) << script << ": " << result.err;
@@ -80,11 +84,42 @@ TEST_F(Headless, TeapotsInBothProjectionsAreTheDemosOwn) {
 TEST_F(Headless, TeapotEyeMovesUpByFifths) {
   Scene scene = demo_scene("teapots.toml", 120, 120);
   scene.timeline.camera.projection = Frustum{-2, 2, -2, 2, 3, 10};
-  scene.timeline.camera.eye = {0, 0.6, 8};
+  scene.image.background = Background{glm::dvec3(1), glm::dvec3(1)};
+  Camera moved = scene.timeline.camera;
+  moved.eye = {0, 0.6, 8};
+  scene.timeline.lights = viewer::lights_before_eye(scene.timeline, 0, moved);
+  scene.timeline.camera = moved;
   const test_support::ProcessResult result = run(
       kTeapots, {"--headless", "--size", "120x120", "--script", "f,w4,s", "--out", "t.exr", "--device", "reference"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(hash_of("t.exr"), pixel_hash(expected_frame(scene, 0)));
+}
+
+TEST_F(Headless, TheDeckStepsAndTurns) {
+  const auto hash_after = [&](const std::string& script) {
+    const test_support::ProcessResult result = run(kMorphDemo, {"--deck", "--headless", "--size", "200x200", "--script",
+                                                                script, "--out", "d.exr", "--device", "reference"});
+    EXPECT_EQ(result.code, 0) << script << ": " << result.err;
+    return hash_of("d.exr");
+  };
+  const Scene scene = demo_scene("deck.toml", 200, 200);
+  EXPECT_EQ(hash_after("h"), pixel_hash(expected_frame(scene, 0)));
+  EXPECT_EQ(hash_after("k37"), pixel_hash(expected_frame(scene, 37)));
+  EXPECT_EQ(hash_after("k37,t720"), pixel_hash(expected_frame(scene, 37)));
+  EXPECT_NE(hash_after("k37,t"), pixel_hash(expected_frame(scene, 37)));
+  EXPECT_EQ(hash_after("t60,k100,t60"), hash_after("k100,t120"));
+}
+
+TEST_F(Headless, OthersHaveNoDeckAndDoNotTurn) {
+  const test_support::ProcessResult result = run(kTeapots, {"--deck", "--headless", "--out", "d.exr"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
+  const Scene scene = demo_scene("pyramid_to_cube.toml", 160, 90);
+  ASSERT_EQ(run(kMorphDemo,
+                {"--headless", "--size", "160x90", "--script", "k5,t7", "--out", "out.exr", "--device", "reference"})
+                .code,
+            0);
+  EXPECT_EQ(hash_of("out.exr"), pixel_hash(expected_frame(scene, 5)));
 }
 
 TEST_F(Headless, PngIsThePictureWithWhatHShows) {

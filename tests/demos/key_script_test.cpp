@@ -21,6 +21,11 @@ TEST(KeyScript, ReadsNamedKeysBlanksAndUpperCase) {
   EXPECT_EQ(parse_key_script(" left12 , Space,Q2,ESC "), expected);
 }
 
+TEST(KeyScript, TicksOfATurnAreWrittenWithItsKey) {
+  EXPECT_EQ(parse_key_script("t120,k,T"),
+            (std::vector<KeyPress>{{Key::tick, 120}, {Key::step_forward, 1}, {Key::tick, 1}}));
+}
+
 TEST(KeyScript, ReadsTheLargestCount) {
   EXPECT_EQ(parse_key_script("p1000000"), (std::vector<KeyPress>{{Key::step_back, kMaxPresses}}));
 }

@@ -48,8 +48,9 @@ TEST(Font, DrawsEveryCharacterOfTheHelpDifferently) {
 
 TEST(Overlay, HelpLeavesOutStepsOfASceneWithoutAny) {
   const auto with_steps = help_lines({.last_step = 100}), without = help_lines({.last_step = 0});
-  EXPECT_EQ(with_steps.size(), key_table().size());
-  EXPECT_EQ(without.size(), key_table().size() - 3);  // k, p and space
+  EXPECT_EQ(with_steps.size(), key_table().size() - 2);   // the turn and its tick
+  EXPECT_EQ(without.size(), key_table().size() - 2 - 3);  // k, p and space
+  EXPECT_EQ(help_lines({.last_step = 100, .turn_ticks = 720}).size(), key_table().size() - 1);
   EXPECT_EQ(with_steps.front().substr(0, 2), "k ");
   EXPECT_EQ(without.front().substr(0, 2), "o ");
 }

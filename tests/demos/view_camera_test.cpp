@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "morphcl/error.hpp"
+#include "morphcl/transform.hpp"
 
 namespace morphcl::viewer {
 namespace {
@@ -102,8 +103,8 @@ TEST(ViewCamera, EveryOrbitKeepsTheDistanceAndIsACamera) {
   Timeline timeline = timeline_with(kPerspective, eye);
   timeline.camera.target = {0.5, -0.25, 1};
   const double distance = glm::distance(eye, timeline.camera.target);
-  for (int right = 0; right < kOrbitSteps; right += 5) {
-    for (int up = 0; up < kOrbitSteps; up += 1) {
+  for (int right = 0; right < kOrbitSteps; right += 50) {
+    for (int up = 0; up < kOrbitSteps; up += 10) {
       if (right == 0 && up == 0) continue;
       View view;
       view.orbit_right = right;
@@ -115,6 +116,46 @@ TEST(ViewCamera, EveryOrbitKeepsTheDistanceAndIsACamera) {
       EXPECT_FALSE(evaluate(moved, 0).camera.up_replaced) << right << ' ' << up;
     }
   }
+}
+
+// The deck turns what it shows by `degrees` about (1, 0, 1): the eye sees the points as they would be after it.
+TEST(ViewCamera, ASceneThatTurnsLooksTurned) {
+  DemoSettings settings;
+  settings.turning = Turning{.axis = {1, 0, 1}, .degrees_a_tick = 0.5};
+  const Timeline timeline = timeline_with(Orthographic{-1, 1, -1, 1, -10, 10}, {0, 0, 1});
+  const glm::dvec4 point(0.5, 0.25, -0.125, 1);
+  for (const int ticks : {1, 120, 360, 719}) {
+    View view;
+    view.projection = ProjectionKind::orthographic;
+    view.turn = ticks;
+    Timeline turned = timeline;
+    turned.camera = view_camera(timeline, 0, view, settings, kSquare).value();
+    CompositeTransform turn;
+    turn.rotate_about_axis(glm::dvec3(0), {1, 0, 1}, 0.5 * ticks);
+    expect_near(evaluate(turned, 0).camera.world_to_eye * point,
+                evaluate(timeline, 0).camera.world_to_eye * (turn.matrix() * point), kRotationBound, "point");
+  }
+}
+
+TEST(ViewCamera, TheWheelBringsTheEyeNearerOrMakesTheWindowSmaller) {
+  View view;
+  view.zoom = static_cast<int>(kZoomSteps);  // twice as large
+  const Camera nearer = view_camera(timeline_with(kPerspective, {0, 0, 8}), 0, view, {}, kSquare).value();
+  EXPECT_EQ(nearer.eye, glm::dvec3(0, 0, 4));
+  EXPECT_EQ(std::get<Perspective>(nearer.projection).fovy_degrees, 45);
+
+  view.projection = ProjectionKind::orthographic;
+  const Timeline parallel = timeline_with(Orthographic{-4, 4, -4, 4, -10, 10}, {0, 0, 8});
+  const Camera smaller = view_camera(parallel, 0, view, {}, 2.0).value();
+  EXPECT_EQ(smaller.eye, glm::dvec3(0, 0, 8));
+  const auto planes = std::get<Orthographic>(smaller.projection);
+  EXPECT_EQ(planes.top, 2);
+  EXPECT_EQ(planes.right, 4) << "as the image showed it: widened to its aspect";
+
+  const Timeline oblique = timeline_with(Oblique{.shear = {0.5, 0.25}, .plane = 3}, {0, 0, 8});
+  const auto slanted = std::get<Oblique>(view_camera(oblique, 0, view, {}, kSquare)->projection);
+  EXPECT_EQ(slanted.top, 0.5);
+  EXPECT_EQ(slanted.shear.x, 0.5);
 }
 
 TEST(ViewCamera, UpVectorsOfAnyLengthMoveTheSame) {

@@ -157,6 +157,48 @@ TEST_F(DemoWindow, ViewsComeBackToTheSamePicture) {
   }
 }
 
+TEST_F(DemoWindow, TheMouseTurnsTheSceneAndTheWheelBringsItNearer) {
+  start_morph();
+  expect_picture(0);
+  const auto changes = [&](const RgbImage& before) {
+    return eventually([&] { return !difference(display_->screenshot(), before, kCodeBound).empty(); });
+  };
+  const auto move_to = [&](int x, int y) {
+    display_->xdotool({"mousemove", "--sync", "--window", window_, std::to_string(x), std::to_string(y)});
+  };
+  RgbImage before = display_->screenshot();
+  move_to(100, 80);
+  display_->xdotool({"mousedown", "1"});
+  move_to(160, 100);
+  EXPECT_TRUE(changes(before)) << "dragged";
+  move_to(100, 80);
+  display_->xdotool({"mouseup", "1"});
+  expect_picture(0);
+  move_to(160, 100);
+  expect_picture(0);
+  before = display_->screenshot();
+  display_->xdotool({"click", "4"});
+  EXPECT_TRUE(changes(before)) << "the wheel";
+  display_->xdotool({"click", "5"});
+  expect_picture(0);
+}
+
+TEST_F(DemoWindow, TheDeckTurnsByItselfUntilItIsStopped) {
+  start(kMorphDemo, {"--deck", "--size", "200x200", "--device", "reference"}, "step 0 of 100");
+  const RgbImage before = display_->screenshot();
+  EXPECT_TRUE(eventually([&] { return !difference(display_->screenshot(), before, kCodeBound).empty(); }));
+  press("t");
+  press("k", 3);
+  expect_title("step 3 of 100");
+  const RgbImage stopped = display_->screenshot();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(difference(display_->screenshot(), stopped, kCodeBound), "");
+  press("t");
+  EXPECT_TRUE(eventually([&] { return !difference(display_->screenshot(), stopped, kCodeBound).empty(); }));
+  press("Escape");
+  expect_end();
+}
+
 TEST_F(DemoWindow, ANewSizeIsRenderedAnew) {
   start_morph();
   press("k", 37);
@@ -216,10 +258,9 @@ TEST_F(DemoWindow, AScriptMayEndTheProgram) {
 }
 
 TEST_F(DemoWindow, TeapotsAreTheFrameOfTheShot) {
-  start(kTeapots, {"--size", "200x200", "--device", "reference"}, "teapots - ");
-  press("o");
-  expect_title("teapots - orthographic");
+  start(kTeapots, {"--size", "200x200", "--device", "reference"}, "teapots - orthographic");
   Scene scene = demo_scene("teapots.toml", 200, 200);
+  scene.image.background = Background{glm::dvec3(1), glm::dvec3(1)};
   scene.timeline.camera.projection = Orthographic{-5, 5, -5, 5, -10, 10};
   expect_screen(srgb_picture(expected_frame(scene, 0)));
   press("f");
