@@ -342,7 +342,8 @@ class DeviceRenderer : public Renderer {
   std::shared_ptr<Session> session_;
   BeforeFirstUse before_first_;
   FrameMemory memory_;
-  BinPools pools_, sample_pools_;                           // of one sample a pixel, of several
+  BinPools pools_ = pools_of(1);                            // of one sample a pixel
+  BinPools sample_pools_ = pools_of(2);                     // of several
   DepthFormat depth_format_ = DepthFormat::reversed_float;  // of the frame being drawn
   bool blends_ = false;
   int samples_ = 1;      // of its pass being drawn

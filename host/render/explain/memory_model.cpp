@@ -91,7 +91,7 @@ MemoryNeed estimate_memory(const FramePlan& plan) {
   constants.primitive_group_count = static_cast<layout::uint>(totals.primitives / layout::lanes);
   constants.clips = plan.clips;
   constants.blends = plan.blends;
-  BinPools pools;
+  BinPools pools = pools_of(plan.samples);
   const BinSizes sizes = lay_out_bins(std::numeric_limits<std::size_t>::max(), pools, constants);
   if (plan.samples > 1) add(need.bins, sizes.sample_fragments, "samples of small triangles");
   if (plan.samples == 1 || draws_centres(plan)) add(need.bins, sizes.fragment_keys, "fragments of small triangles");

@@ -9,7 +9,7 @@ namespace {
 using layout::uint;
 
 uint divided_up(uint count, uint by) { return (count + by - 1) / by; }
-uint with_margin(uint needed) { return needed + needed / 4; }
+uint with_margin(uint needed) { return needed + needed / 2; }
 
 // Hands out room in one buffer, by cache lines.
 class Offsets {
@@ -37,7 +37,7 @@ void set_chunks(uint max_chunks, layout::FrameConstants& constants) {
 BinPools with_guess(BinPools pools, const layout::FrameConstants& constants) {
   const uint primitives = constants.primitive_groups_per_chunk * layout::lanes;
   const auto tiles = static_cast<uint>(constants.tiles_x * constants.tiles_y);
-  pools.fragment_pages = std::max(pools.fragment_pages, 256 + primitives / 32);
+  pools.fragment_pages = std::max(pools.fragment_pages, 256 + primitives / pools.primitives_a_page);
   pools.entry_pages = std::max(pools.entry_pages, 64 + tiles);
   pools.large = std::max(pools.large, 64 + primitives / 8);
   return pools;

@@ -10,11 +10,16 @@ namespace morphcl {
 // Room of one chunk's bins, and of all clipped primitives. It starts from a guess and grows to what a frame was found
 // to need.
 struct BinPools {
+  layout::uint primitives_a_page = 32;  // of fragments, in the guess
   layout::uint fragment_pages = 0, entry_pages = 0, large = 0, clipped = 256;
 
   void grow_to(const layout::ChunkStatus& chunk);
   void grow_to_clipped(layout::uint needed);
 };
+
+// Of frames of so many samples a pixel: at several a small triangle leaves fragments at two to three times as many
+// pixels as at one.
+inline BinPools pools_of(int samples) { return {.primitives_a_page = samples > 1 ? 16u : 32u}; }
 
 // Chunks of vertex groups; those of the last one may be fewer.
 layout::uint vertex_chunk_count(const layout::FrameConstants& constants);
