@@ -1,6 +1,6 @@
-// morphcl_bench_parity SCENE [--amount N] [--frames N] [--size WxH]: whether what is timed is right. Draws the scene's
-// first, middle and last frame by OpenCL, as planned and with nothing left out, and by the plain C++ reference, and
-// compares every bit. Prints one line of JSON; exit code 1 when something differs.
+// morphcl_bench_parity SCENE [--amount N] [--frames N] [--size WxH] [--samples N]: whether what is timed is right.
+// Draws the scene's first, middle and last frame by OpenCL, as planned and with nothing left out, and by the plain C++
+// reference, and compares every bit. Prints one line of JSON; exit code 1 when something differs.
 //
 // Frames are drawn one after the other into the same pictures, as the timed programs do.
 
@@ -42,7 +42,8 @@ struct Way {
 bool run(const Options& options) {
   BenchScene bench = make_bench_scene(options.scene, options.width, options.height, options.amount);
   const int frames = options.frames > 0 ? options.frames : bench.frames;
-  const Scene scene = morphcl_scene(bench, frames);
+  Scene scene = morphcl_scene(bench, frames);
+  scene.image.samples = options.samples;
   SessionOptions session_options;
   session_options.threads = prepare_process(options.threads);
   const std::shared_ptr<Session> session = Session::open(session_options);
