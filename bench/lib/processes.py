@@ -29,9 +29,9 @@ def report(command, environment=None):
     return json.loads(output(command, environment).splitlines()[-1])
 
 
-def has_device(program):
-    """Whether a drawing program finds something to draw with. Any other failure ends this process."""
-    done = completed([program, "morph", "--frames", 1, "--size", "16x16"], None)
+def has_device(program, *options):
+    """Whether a drawing program finds something to draw with, so. Any other failure ends this process."""
+    done = completed([program, "morph", "--frames", 1, "--size", "16x16", *options], None)
     if done.returncode not in (0, NO_DEVICE):
         sys.exit(f"{program}: {done.stderr.strip()}")
     print(done.stderr, end="", file=sys.stderr)

@@ -1,15 +1,20 @@
 """Tests of what bench/run computes from the figures: python3 -m unittest discover bench/tests -p '*_test.py'"""
 
+import argparse
+import contextlib
+import csv
+import io
 import math
 import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from lib import (growth_checks, job, kernels, machine, memory, pictures, plot, processes, scaling, series, stages,  # noqa: E402
-                 tables)
+from lib import (growth_checks, job, kernels, machine, memory, pictures, plot, processes, programs,  # noqa: E402
+                 samples, scaling, series, stages, tables)
 
 
 def picture(**changes):
@@ -27,6 +32,14 @@ class Pictures(unittest.TestCase):
     def test_another_colour_stops(self):
         with self.assertRaisesRegex(SystemExit, "a and c draw different pictures: mean_red"):
             pictures.check_same("morph", {"a": picture(), "b": picture(), "c": picture(mean_red=0.1162)})
+
+    def test_patterns_of_samples_may_reach_as_far_beyond_an_outline_as_samples_lie(self):
+        share = pictures.COVERED_SHARE_BY_SAMPLES
+        pictures.check_same("morph", {"a": picture(), "b": picture(covered=435_000 + 16_588)}, share)
+        with self.assertRaisesRegex(SystemExit, "covered"):
+            pictures.check_same("morph", {"a": picture(), "b": picture(covered=435_000 + 16_589)}, share)
+        with self.assertRaisesRegex(SystemExit, "mean_red"):
+            pictures.check_same("morph", {"a": picture(), "b": picture(mean_red=0.1162)}, share)
 
 
 class Processes(unittest.TestCase):
@@ -124,6 +137,66 @@ class Job(unittest.TestCase):
                                            ("llvmpipe", 24.0, 30.0), ("morphcl", 4.0, 4.0), ("llvmpipe", 32.0, 20.0))]
         self.assertEqual(job.beside_peer(rows, "morph", "morphcl"),
                          ["**6.0**", *job.GOALS["morphcl"]["morph"], "6.0 to 10.0", "7.5"])
+
+
+class Samples(unittest.TestCase):
+    def run_part(self, *, peers=("llvmpipe",), refused=(), covered=9000):
+        """The page and the rows of the CSV, of programs that take as many milliseconds as samples, llvmpipe ten times
+        as many, and one less by its shader."""
+        def report(command):
+            name, scene, *words = map(str, command)
+            values = dict(zip(words, words[1:]))
+            peer = name == "llvmpipe"
+            ms = int(values["--samples"]) * (10 if peer else 1) - (values.get("--resolve") == "shader")
+            width, height = map(int, values.get("--size", "1920x1080").split("x"))
+            return {"renderer": "none", "width": width, "height": height, "threads": 2, "frames": 6, "frame_ms": ms,
+                    "fastest_ms": ms, "cpu_ms": 3 * ms, "covered": covered if peer else 9000, "mean_red": 0.1}
+
+        def has_device(_, *words):
+            return words[-1] not in refused
+        paths = {"draw": "morphcl", **{peer: peer for peer in peers}}
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stderr(io.StringIO()), mock.patch.object(processes, "report", report), \
+                mock.patch.object(processes, "has_device", has_device):
+            options = argparse.Namespace(rounds=2, quick=True, threads=2, results=pathlib.Path(folder))
+            samples.run(programs.Programs(folder, paths), options)
+            with open(options.results / "samples.csv") as file:
+                return (options.results / "samples.md").read_text(), list(csv.DictReader(file))
+
+    def test_the_faster_resolve_is_compared_with_and_both_are_stated(self):
+        page, rows = self.run_part()
+        self.assertIn("| morph | 1920 × 1080 | 4 and 4 | 4.00 | 40.00 | 39.00 | **9.8** | 12 | 25 | 9.8 to 9.8 | 9.8 |",
+                      page)
+        self.assertIn("| morph | 1920 × 1080 | 16 and 4 | 16.00 | 40.00 | 39.00 | **2.4** | 6 | 12 |", page)
+        self.assertIn("| heavy | 3840 × 2160 | 1.00 | 10.00 | **10.0** | 5.5 | 8 | 10.0 to 10.0 | 10.0 |", page)
+        self.assertIn("| heavy | 1920 × 1080 | 1.00 | 4.00 | **4.00** | 2.2 | 1.7 | 4.00 to 4.00 | 4.00 |", page)
+        self.assertEqual({row["round"] for row in rows}, {"1", "2"})
+
+    def test_z_is_drawn_beside_one_sample_of_a_single_surface_only(self):
+        _, rows = self.run_part()
+        self.assertEqual({(row["scene"], row["samples"]) for row in rows if row["depth"] == "True"},
+                         {("heavy", "1"), ("morph", "1"), ("wire", "1")})
+        commands = [samples.command_of(programs.Programs(None, {"draw": "d"}), samples.Picture("morph", depth=depth),
+                                       samples.Drawing("morphcl", 4), argparse.Namespace(threads=2, quick=False))
+                    for depth in (False, True)]
+        self.assertEqual(commands[0], [*commands[1], "--colors-only"])
+
+    def test_a_resolve_that_the_driver_refuses_is_left_out_and_named(self):
+        page, rows = self.run_part(refused=["shader"])
+        self.assertIn("| morph | 1920 × 1080 | 4 and 4 | 4.00 | 40.00 |  | **10.0** |", page)
+        self.assertIn("refuses 4 samples so: shader", page)
+        self.assertEqual({row["resolve"] for row in rows}, {"", "blit"})
+
+    def test_without_the_peer_four_samples_stand_beside_one(self):
+        page, rows = self.run_part(peers=())
+        self.assertIn("| morph | 1920 × 1080 | 1.00 | 4.00 | **4.00** | 1.6 | 1.2 |", page)
+        self.assertIn("Left out", page)
+        self.assertNotIn("beside llvmpipe", page)
+        self.assertEqual({row["program"] for row in rows}, {"morphcl"})
+
+    def test_another_picture_stops(self):
+        with self.assertRaisesRegex(SystemExit, "morph: morphcl 1 and llvmpipe 4 blit draw different pictures"):
+            self.run_part(covered=9000 + 16_589)
 
 
 class Figures(unittest.TestCase):
