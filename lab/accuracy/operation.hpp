@@ -17,13 +17,14 @@
 namespace morphcl::accuracy {
 
 struct Description {
-  std::string name;     // "point-transform": of --operation, CSV and JSON
-  std::string title;    // one line: what is computed
-  std::string results;  // their unit
-  Format format;        // errors are counted in ulps of it
-  Measure plotted;      // what the plot shows and the target is about
-  double target;        // largest value that is good enough
-  std::string reason;   // what the target stands for
+  std::string name;                    // "point-transform": of --operation, CSV and JSON
+  std::string title;                   // one line: what is computed
+  std::string results;                 // their unit
+  Format format;                       // errors are counted in ulps of it
+  Measure plotted;                     // what the plot shows and the target is about
+  double target;                       // largest value that is good enough
+  std::string reason;                  // what the target stands for
+  std::string element = "an element";  // what a time is for, as the plots call it
 };
 
 struct Family {

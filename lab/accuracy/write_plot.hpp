@@ -1,4 +1,5 @@
-// One page of plots: x is time an element, y the error, a panel for each operation and family.
+// One page of plots: x is time an element, y the error, a panel for each operation and family and, right of an
+// operation's, the names of its marks.
 #pragma once
 
 #include <string>

@@ -262,7 +262,8 @@ Operation antialiasing() {
                              .format = {11, -14},
                              .plotted = Measure::rms_absolute,
                              .target = 1.0 / 16,
-                             .reason = "what one of sixteen samples is worth"};
+                             .reason = "what one of sixteen samples is worth",
+                             .element = "a pixel"};
   return {about, [about](const Settings& settings) {
             OperationReport report;
             report.about = about;

@@ -99,7 +99,8 @@ Operation blending() {
               .format = binary32,
               .plotted = Measure::max_ulp,
               .target = 10,
-              .reason = "two roundings a layer, four at the end; a half has 8192 of these ulps"};
+              .reason = "two roundings a layer, four at the end; a half has 8192 of these ulps",
+              .element = "a colour"};
   op.families = {
       blending_family("benign", "colours and alphas in [0, 1)", [](Random& r) { return r.uniform(0, 1); }),
       blending_family("wide", "alphas from 2^-20 to 1", [](Random& r) { return r.binades(-20, -1); }),

@@ -196,7 +196,8 @@ Operation whole_frame() {
                              .format = {11, -14},
                              .plotted = Measure::wrong,
                              .target = 100,
-                             .reason = "one pixel in ten thousand shows another triangle than in fp64"};
+                             .reason = "one pixel in ten thousand shows another triangle than in fp64",
+                             .element = "a pixel"};
   return {about, [about](const Settings& settings) {
             OperationReport report;
             report.about = about;

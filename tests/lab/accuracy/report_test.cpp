@@ -211,6 +211,7 @@ TEST(AccuracyReport, ThePlotNamesEveryVariantAndTheTarget) {
   for (const Result& result : report.operations[0].results) EXPECT_THAT(program, HasSubstr("'" + result.variant + "'"));
   EXPECT_THAT(program, HasSubstr("set output 'it''s here.svg'"));
   EXPECT_THAT(program, HasSubstr("target 5"));
+  EXPECT_THAT(program, HasSubstr("set xlabel 'time, ns an element'"));
 }
 
 // Shape (outlined) and colour of each mark that has a name in a plot, plot by plot.
@@ -231,7 +232,7 @@ TEST(AccuracyReport, AVariantHasOneMarkInAllPlotsAndSharesItWithNoneBesideIt) {
   const Report report = report_of({"matrix-look-at", "matrix-shear", "matrix-scale-about", "point-transform", "divide",
                                    "clip", "lerp", "normal", "face-normal", "interpolation", "spring"});
   const auto plots = marks_by_plot(plot_program(report, "a.svg"));
-  EXPECT_EQ(plots.size(), 11u * 3u);
+  EXPECT_EQ(plots.size(), 11u * (3u + 1u)) << "three families, and the names";
   std::map<std::string, std::set<std::string>> marks_of_variant;
   for (const auto& plot : plots) {
     std::set<std::string> in_plot;
@@ -242,6 +243,41 @@ TEST(AccuracyReport, AVariantHasOneMarkInAllPlotsAndSharesItWithNoneBesideIt) {
   }
   EXPECT_GT(marks_of_variant.size(), 40u);
   for (const auto& [variant, marks] : marks_of_variant) EXPECT_EQ(marks.size(), 1u) << variant;
+}
+
+TEST(AccuracyReport, TheNamesOfAnOperationAreThoseOfItsPlotsOnceEach) {
+  const Report report = report_of({"divide", "blending"});
+  const auto plots = marks_by_plot(plot_program(report, "a.svg"));
+  ASSERT_EQ(plots.size(), 8u);
+  for (std::size_t operation = 0; operation < 2; ++operation) {
+    std::map<std::string, std::string> shown;
+    for (std::size_t family = 0; family < 3; ++family)
+      shown.insert(plots[4 * operation + family].begin(), plots[4 * operation + family].end());
+    const auto& names = plots[4 * operation + 3];
+    EXPECT_EQ((std::multimap<std::string, std::string>(shown.begin(), shown.end())), names);
+  }
+}
+
+TEST(AccuracyReport, WhatTheDeviceDrawsHasTheHostsColorAndIsACross) {
+  Report report = report_of({"blending"});
+  OperationReport& blending = report.operations[0];
+  const std::size_t count = blending.results.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Result on_device = blending.results[i];
+    on_device.variant = "device, " + on_device.variant;
+    on_device.place = "device";
+    blending.results.push_back(on_device);
+  }
+  const auto names = marks_by_plot(plot_program(report, "a.svg")).back();
+  EXPECT_EQ(names.size(), 14u);
+  for (const char* const name : {"front to back, fused", "back to front", "fp64"}) {
+    ASSERT_EQ(names.count(name), 1u);
+    ASSERT_EQ(names.count(std::string(name) + " (device)"), 1u);
+    const std::string on_device = names.find(std::string(name) + " (device)")->second;
+    EXPECT_EQ(on_device[0], '0') << "a cross is shape 1";
+    EXPECT_EQ(names.find(name)->second.substr(names.find(name)->second.find('#')),
+              on_device.substr(on_device.find('#')));
+  }
 }
 
 TEST(AccuracyReport, TheSummaryHasALineAnOperationAndMarksWhatIsOverItsBound) {
