@@ -10,6 +10,7 @@ from lib import pictures, processes, tables
 
 RESOLVES = ["blit", "shader"]  # how llvmpipe makes one sample of several: the faster one counts
 THEIR_SAMPLES = 4  # the most that llvmpipe draws
+FRAMES = {"heavy": 12, "many": 12, "blended": 6}  # where a frame of llvmpipe takes long; else the scene's own number
 COLUMNS = ["round", "scene", "program", "samples", "resolve", "depth", "width", "height", "threads", "frames",
            "frame_ms", "fastest_ms", "cpu_ms", "covered", "mean_red"]
 
@@ -100,8 +101,8 @@ def command_of(programs, picture, drawing, options):
         command.append("--colors-only")
     if picture.size:
         command += ["--size", picture.size]
-    if options.quick:
-        command += ["--frames", 6]
+    if options.quick or picture.scene in FRAMES:
+        command += ["--frames", 6 if options.quick else FRAMES[picture.scene]]
     return command
 
 
