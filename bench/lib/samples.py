@@ -10,7 +10,9 @@ from lib import pictures, processes, tables
 
 RESOLVES = ["blit", "shader"]  # how llvmpipe makes one sample of several: the faster one counts
 THEIR_SAMPLES = 4  # the most that llvmpipe draws
-FRAMES = {"heavy": 12, "many": 12, "blended": 6}  # where a frame of llvmpipe takes long; else the scene's own number
+# Few where a frame takes long. Many where fragments need more memory as the shape changes: first touched in one of a few
+# frames it would weigh in their mean processor time. Elsewhere the scene's own number.
+FRAMES = {"llvmpipe": {"heavy": 12, "many": 12, "blended": 6}, "morphcl": {"heavy": 60, "many": 60, "blended": 6}}
 COLUMNS = ["round", "scene", "program", "samples", "resolve", "depth", "width", "height", "threads", "frames",
            "frame_ms", "fastest_ms", "cpu_ms", "covered", "mean_red"]
 
@@ -101,9 +103,8 @@ def command_of(programs, picture, drawing, options):
         command.append("--colors-only")
     if picture.size:
         command += ["--size", picture.size]
-    if options.quick or picture.scene in FRAMES:
-        command += ["--frames", 6 if options.quick else FRAMES[picture.scene]]
-    return command
+    frames = 6 if options.quick else FRAMES[drawing.program].get(picture.scene)
+    return command + (["--frames", frames] if frames else [])
 
 
 def measure(number, picture, found, programs, options):
