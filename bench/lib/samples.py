@@ -10,8 +10,8 @@ from lib import pictures, processes, tables
 
 RESOLVES = ["blit", "shader"]  # how llvmpipe makes one sample of several: the faster one counts
 THEIR_SAMPLES = 4  # the most that llvmpipe draws
-# Few where a frame takes long. Many where fragments need more memory as the shape changes: first touched in one of a few
-# frames it would weigh in their mean processor time. Elsewhere the scene's own number.
+# Few where a frame takes long. Many where bins grow as the shape changes: a frame that they were too small for is drawn
+# twice, and among a few frames would weigh in the mean of processor time. Elsewhere the scene's own number.
 FRAMES = {"llvmpipe": {"heavy": 12, "many": 12, "blended": 6}, "morphcl": {"heavy": 60, "many": 60, "blended": 6}}
 COLUMNS = ["round", "scene", "program", "samples", "resolve", "depth", "width", "height", "threads", "frames",
            "frame_ms", "fastest_ms", "cpu_ms", "covered", "mean_red"]
