@@ -9,7 +9,7 @@ import sys
 from lib import pictures, processes, tables
 
 RESOLVES = ["blit", "shader"]  # how llvmpipe makes one sample of several: the faster one counts
-THEIR_SAMPLES = 4  # the most that llvmpipe draws
+THEIR_SAMPLES = 4  # the most that llvmpipe draws before Mesa 25.3
 # Few where a frame takes long. Many where bins grow as the shape changes: a frame that they were too small for is drawn
 # twice, and among a few frames would weigh in the mean of processor time. Elsewhere the scene's own number.
 FRAMES = {"llvmpipe": {"heavy": 12, "many": 12, "blended": 6}, "morphcl": {"heavy": 60, "many": 60, "blended": 6}}
