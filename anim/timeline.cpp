@@ -34,10 +34,10 @@ FrameState evaluate(const Timeline& timeline, std::int64_t frame) {
   state.ambient = timeline.ambient;
   try {
     evaluate_nodes(timeline.nodes, tick, state);
-    const int eye = timeline.camera.node;
-    state.camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : state.node_to_world[eye], tick);
+    const auto to_world = [&state](int node) { return node < 0 ? glm::dmat4(1.0) : state.node_to_world[node]; };
+    state.camera = evaluate_camera(timeline.camera, to_world(node_of(timeline.camera)), tick);
     for (std::size_t i = 0; i < timeline.lights.size(); ++i)
-      state.lights.push_back(evaluate_light(timeline.lights[i], i, tick));
+      state.lights.push_back(evaluate_light(timeline.lights[i], i, to_world(timeline.lights[i].node), tick));
   } catch (const Error& error) {
     throw Error(error.kind(), error.place(), fmt::format("frame {}: {}", frame, error.message()));
   }

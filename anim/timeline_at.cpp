@@ -48,10 +48,17 @@ Projection evaluate_projection(const Camera& camera, std::int64_t tick) {
   return projection;
 }
 
+glm::dvec3 carried_point(const glm::dmat4& node, const glm::dvec3& point) {
+  return glm::dvec3(node * glm::dvec4(point, 1));
+}
+
 LookAt evaluate_view(const Camera& camera, const glm::dmat4& node, std::int64_t tick) {
   if (camera.node >= 0) return look_along(glm::dvec3(node[3]), -glm::dvec3(node[2]), glm::dvec3(node[1]));
-  return look_at(sample(camera.eye_track, camera.eye, tick), sample(camera.target_track, camera.target, tick),
-                 sample(camera.up_track, camera.up, tick));
+  const glm::dvec3 eye = sample(camera.eye_track, camera.eye, tick),
+                   target = sample(camera.target_track, camera.target, tick),
+                   up = sample(camera.up_track, camera.up, tick);
+  if (camera.parent < 0) return look_at(eye, target, up);
+  return look_at(carried_point(node, eye), carried_point(node, target), glm::dmat3(node) * up);
 }
 
 }  // namespace
@@ -89,6 +96,8 @@ void evaluate_weights(const MorphWeights& morph, std::int64_t tick, std::vector<
       throw Error(ErrorKind::bad_input, "weights", fmt::format("weight {} overflows; use smaller tangents", i));
 }
 
+int node_of(const Camera& camera) { return camera.node >= 0 ? camera.node : camera.parent; }
+
 CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_world, std::int64_t tick) {
   try {
     const LookAt view = evaluate_view(camera, node_to_world, tick);
@@ -98,8 +107,10 @@ CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_worl
   }
 }
 
-LightState evaluate_light(const Light& light, std::size_t index, std::int64_t tick) {
-  const glm::dvec3 vector = sample(light.vector_track, light.vector, tick);
+LightState evaluate_light(const Light& light, std::size_t index, const glm::dmat4& node_to_world, std::int64_t tick) {
+  glm::dvec3 vector = sample(light.vector_track, light.vector, tick);
+  if (light.node >= 0)
+    vector = light.kind == LightKind::point ? carried_point(node_to_world, vector) : glm::dmat3(node_to_world) * vector;
   const glm::dvec3 color = sample(light.color_track, light.color, tick);
   const std::string place = fmt::format("lights[{}]", index);
   if (!is_finite(vector) || !is_finite(color))

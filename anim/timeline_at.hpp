@@ -24,8 +24,12 @@ void require_finite(const glm::dmat4& node_to_world, const Node& node, std::size
 // One weight a target into `weights`, whose room is used again. Error(bad_input) when one overflows.
 void evaluate_weights(const MorphWeights& morph, std::int64_t tick, std::vector<double>& weights);
 
-// `node_to_world` belongs to the camera's node and is read only if it has one. Errors as evaluate() has them.
+// The node that the camera sits in or that carries it, or -1.
+int node_of(const Camera& camera);
+
+// `node_to_world` belongs to node_of(camera), or to the light's node, and is read only if there is one. Errors as
+// evaluate() has them.
 CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_world, std::int64_t tick);
-LightState evaluate_light(const Light& light, std::size_t index, std::int64_t tick);
+LightState evaluate_light(const Light& light, std::size_t index, const glm::dmat4& node_to_world, std::int64_t tick);
 
 }  // namespace morphcl

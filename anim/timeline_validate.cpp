@@ -97,10 +97,16 @@ void check_projection(const Camera& camera, const std::string& place) {
   }
 }
 
+void check_index(int node, std::size_t nodes, const std::string& place) {
+  require(node >= -1 && (node == -1 || static_cast<std::size_t>(node) < nodes), place,
+          fmt::format("node {} does not exist; there are {} nodes", node, nodes));
+}
+
 void check_camera(const Camera& camera, std::size_t nodes) {
   const std::string place = "camera";
-  const bool node_exists = camera.node >= -1 && (camera.node == -1 || static_cast<std::size_t>(camera.node) < nodes);
-  require(node_exists, place, fmt::format("node {} does not exist; there are {} nodes", camera.node, nodes));
+  check_index(camera.node, nodes, place);
+  check_index(camera.parent, nodes, place);
+  require(camera.node < 0 || camera.parent < 0, place, "it has a node and a parent; one of them says where it stands");
   check_finite(camera.eye, place, "eye");
   check_finite(camera.target, place, "target");
   check_finite(camera.up, place, "up");
@@ -118,8 +124,9 @@ void check_camera(const Camera& camera, std::size_t nodes) {
   check_projection(camera, place);
 }
 
-void check_light(const Light& light, std::size_t index) {
+void check_light(const Light& light, std::size_t index, std::size_t nodes) {
   const std::string place = fmt::format("lights[{}]", index);
+  check_index(light.node, nodes, place);
   check_finite(light.vector, place, "vector");
   check_finite(light.color, place, "color");
   check_track(light.vector_track, 3, false, place, "vector");
@@ -135,7 +142,7 @@ void validate(const Timeline& timeline) {
   for (std::size_t i = 0; i < timeline.nodes.size(); ++i) check_node(timeline.nodes[i], i);
   parents_first(timeline.nodes);
   check_camera(timeline.camera, timeline.nodes.size());
-  for (std::size_t i = 0; i < timeline.lights.size(); ++i) check_light(timeline.lights[i], i);
+  for (std::size_t i = 0; i < timeline.lights.size(); ++i) check_light(timeline.lights[i], i, timeline.nodes.size());
   check_finite(timeline.ambient, "ambient", "ambient");
 }
 

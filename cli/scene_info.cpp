@@ -7,6 +7,7 @@
 #include "cli/console.hpp"
 #include "cli/info_command.hpp"
 #include "cli/json_object.hpp"
+#include "cli/node_path.hpp"
 #include "cli/object_info.hpp"
 #include "cli/table.hpp"
 #include "host/scene/model/material_list.hpp"
@@ -99,6 +100,12 @@ NodeSampler first_nodes(const Scene& scene) {
   return nodes;
 }
 
+std::string camera_parent(const Scene& scene) {
+  return node_path(scene.timeline.nodes, node_of(scene.timeline.camera));
+}
+
+std::string below(const std::string& path) { return path.empty() ? "" : ", below " + path; }
+
 void print_json(const Scene& scene) {
   const CameraInfo camera = describe_camera(scene);
   print_result(line_of(json_object("scene", {{"name", scene.name},
@@ -118,6 +125,7 @@ void print_json(const Scene& scene) {
                                              {"projection", camera.projection},
                                              {"window", camera.window},
                                              {"vanishing_points", camera.vanishing_points},
+                                             {"camera_parent", camera_parent(scene)},
                                              {"content_hash", scene.content_hash}})));
   for (const Mesh& mesh : scene.meshes)
     print_result(line_of(json_object("mesh", {{"name", mesh.name},
@@ -145,6 +153,7 @@ void print_json(const Scene& scene) {
                                                 {"mesh", scene.meshes[object.mesh].name},
                                                 {"material", materials.names[materials.of_object[i]]},
                                                 {"shading", shading_name(scene, object)},
+                                                {"parent", node_path(scene.timeline.nodes, object.node, object.name)},
                                                 {"placement", describe_placement(object, nodes)}})));
   }
   for (const std::string& warning : scene.warnings) print_result(line_of(json_object("warning", {{"text", warning}})));
@@ -158,7 +167,7 @@ void print_table(const Scene& scene) {
       {"nodes", std::to_string(scene.timeline.nodes.size())},
       {"lights", std::to_string(scene.timeline.lights.size())}};
   const CameraInfo camera = describe_camera(scene);
-  rows.push_back({"camera", camera.projection});
+  rows.push_back({"camera", printable(camera.projection + below(camera_parent(scene)))});
   rows.push_back({"window", camera.window});
   rows.push_back({"vanishing points", camera.vanishing_points});
   for (const ModelPart& part : scene.parts)
@@ -178,8 +187,10 @@ void print_table(const Scene& scene) {
   }
   NodeSampler nodes = first_nodes(scene);
   for (const Object& object : scene.objects)
-    rows.push_back({"object", printable(fmt::format("{}: {}, {}, {}", object.name, scene.meshes[object.mesh].name,
-                                                    shading_name(scene, object), describe_placement(object, nodes)))});
+    rows.push_back({"object", printable(fmt::format("{}: {}, {}{}, {}", object.name, scene.meshes[object.mesh].name,
+                                                    shading_name(scene, object),
+                                                    below(node_path(scene.timeline.nodes, object.node, object.name)),
+                                                    describe_placement(object, nodes)))});
   for (const std::string& warning : scene.warnings) rows.push_back({"warning", printable(warning)});
   for (const std::string& line : aligned(rows)) print_result(line);
 }

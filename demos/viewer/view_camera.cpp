@@ -33,7 +33,8 @@ glm::dvec3 unit(const glm::dvec3& vector) {
 }
 
 Pose shot_pose(const Timeline& timeline, std::int64_t frame) {
-  const CameraState state = evaluate(timeline, frame).camera;
+  const FrameState all = evaluate(timeline, frame);
+  const CameraState& state = all.camera;
   // The rows of a rigid transform are the camera's axes in the world.
   const glm::dmat3 axes = glm::transpose(glm::dmat3(state.world_to_eye));
   const Camera& camera = timeline.camera;
@@ -44,9 +45,12 @@ Pose shot_pose(const Timeline& timeline, std::int64_t frame) {
     return {eye, eye - std::max(distance, 1e-3) * axes[2], axes[1], state.projection};
   }
   const std::int64_t tick = timeline.time.frame_ticks(frame);
-  const glm::dvec3 up = state.up_replaced ? axes[1] : unit(value_at(camera.up_track, camera.up, tick));
-  return {value_at(camera.eye_track, camera.eye, tick), value_at(camera.target_track, camera.target, tick), up,
-          state.projection};
+  const glm::dmat4 carrier = camera.parent < 0 ? glm::dmat4(1.0) : all.node_to_world[camera.parent];
+  const glm::dvec3 own_up = value_at(camera.up_track, camera.up, tick);
+  const glm::dvec3 up = state.up_replaced ? axes[1] : unit(glm::dmat3(carrier) * own_up);
+  const auto in_world = [&carrier](const glm::dvec3& point) { return glm::dvec3(carrier * glm::dvec4(point, 1)); };
+  return {in_world(value_at(camera.eye_track, camera.eye, tick)),
+          in_world(value_at(camera.target_track, camera.target, tick)), up, state.projection};
 }
 
 Projection chosen_projection(const Pose& pose, ProjectionKind kind, const DemoSettings& settings, double aspect) {

@@ -98,14 +98,17 @@ class SceneHasher {
     add_all(left, right, bottom, top, near, far, shear.x, shear.y, plane, fit);
   }
   void add(const Camera& camera) {
-    const auto& [projection, node, eye, target, up, eye_track, target_track, up_track, fovy, fovx, near, far] = camera;
+    const auto& [projection, node, parent, eye, target, up, eye_track, target_track, up_track, fovy, fovx, near, far] =
+        camera;
     add(projection.index());
     std::visit([this](const auto& kind) { add(kind); }, projection);
     add_all(node, eye, target, up, eye_track, target_track, up_track, fovy, fovx, near, far);
+    if (parent >= 0) add_all(std::string_view("camera parent"), parent);
   }
   void add(const Light& light) {
-    const auto& [kind, vector, color, falloff, vector_track, color_track] = light;
+    const auto& [kind, vector, color, falloff, vector_track, color_track, node] = light;
     add_all(kind, vector, color, falloff, vector_track, color_track);
+    if (node >= 0) add_all(std::string_view("light node"), node);
   }
   void add(const Timeline& timeline) {
     const auto& [time, nodes, camera, lights, ambient] = timeline;

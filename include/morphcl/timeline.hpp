@@ -75,9 +75,11 @@ struct MorphWeights {
 
 // Where a camera looks from. With node >= 0 the camera sits in that node's frame looking down its -z (glTF) and
 // eye/target/up are not used; scale, shear and mirroring of the node are ignored, so that distances stay the world's.
+// With parent >= 0 eye, target, up and their tracks are given in that node's space; what is seen lies where the node
+// brings them, and distances stay the world's as well. At most one of the two is set.
 struct Camera {
   Projection projection = Perspective{};
-  int node = -1;
+  int node = -1, parent = -1;  // indices into Timeline::nodes
   glm::dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
   Track eye_track, target_track, up_track;              // width 3
   Track fovy_track, fovx_track, near_track, far_track;  // width 1; fovy moves Perspective, fovx HorizontalPerspective
@@ -90,13 +92,15 @@ enum class LightKind { directional, point };
 // without 1/pi. Nothing casts shadows.
 //
 // A directional light's `vector` points from the scene towards the light; a point light's is its world position. Colour
-// is scene-linear and includes the intensity; a point light does not fall off with distance unless `falloff`.
+// is scene-linear and includes the intensity; a point light does not fall off with distance unless `falloff`. With
+// node >= 0 position and direction are given in that node's space, and turn and move with it.
 struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 vector{0, 0, 1};
   glm::dvec3 color{1.0};
   bool falloff = false;             // point light: divided by the squared distance in world units
   Track vector_track, color_track;  // width 3
+  int node = -1;                    // index into Timeline::nodes
 };
 
 struct Timeline {
@@ -108,9 +112,9 @@ struct Timeline {
 };
 
 // Error(bad_input): a frame rate out of range, a parent out of range, a cycle (names its nodes), a track of the wrong
-// width, a camera node out of range, a constant that is not finite, a static_transform that is not affine, a rotation
-// of length 0, a fovy or fovx track on a projection that has no such field of view, a degenerate projection (where
-// tracks move it: at the frame).
+// width, a node of the camera or a light out of range, a camera with both node and parent, a constant that is not
+// finite, a static_transform that is not affine, a rotation of length 0, a fovy or fovx track on a projection that has
+// no such field of view, a degenerate projection (where tracks move it: at the frame).
 void validate(const Timeline& timeline);
 
 // Error(bad_input): a weight that is not finite, an Elastic out of its limits, a track that drives targets that do not

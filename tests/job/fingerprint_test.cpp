@@ -86,6 +86,8 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.timeline.camera.projection = Oblique{}; },
       [](Scene& s) { s.timeline.camera.projection = Oblique{.shear = {0.5, 0}}; },
       [](Scene& s) { s.timeline.camera.fovy_track = Track::linear(s.timeline.time, {{0, 45.0}, {9, 50.0}}); },
+      [](Scene& s) { s.timeline.camera.parent = 0; },
+      [](Scene& s) { s.timeline.lights[0].node = 0; },
       [](Scene& s) { s.timeline.lights[0].color.r = 0.5; },
       [](Scene& s) { s.timeline.lights[0].kind = LightKind::point; },
       [](Scene& s) { s.timeline.ambient.b = 0.5; },

@@ -36,7 +36,7 @@ bool is_same_place(const Draw& a, const Draw& b) {
 void NextFrame::add_to(FramePlan& plan, bool keeps_idle_targets, ElasticShapes& elastic) {
   const std::int64_t tick = tick_of(scene_.timeline.time, plan.frame + 1);
   nodes_.go_to(tick);
-  const int eye = scene_.timeline.camera.node;
+  const int eye = node_of(scene_.timeline.camera);
   const CameraState camera =
       evaluate_camera(scene_.timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes_.to_world(eye), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height);

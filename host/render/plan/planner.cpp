@@ -233,15 +233,15 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   plan.manifests = manifests;
   const bool needs_samples = plan.has_color() || !(plan.channels & channels_of_samples).empty();
   plan.samples = needs_samples ? scene.image.samples : 1;
-  const int eye = timeline.camera.node;
-  const CameraState camera = evaluate_camera(timeline.camera, eye < 0 ? glm::dmat4(1.0) : nodes.to_world(eye), tick);
+  const auto to_world = [this](int node) { return node < 0 ? glm::dmat4(1.0) : nodes.to_world(node); };
+  const CameraState camera = evaluate_camera(timeline.camera, to_world(node_of(timeline.camera)), tick);
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height, margin);
   add_camera(volume, camera.world_to_eye, plan);
   plan.depth_format = scene.image.depth_format;
   set_depth_buffer(plan.depth_format, far_distance(camera.projection), plan.camera);
   plan.ambient = to_array(timeline.ambient);
   for (std::size_t i = 0; i < timeline.lights.size(); ++i) {
-    const LightState light = evaluate_light(timeline.lights[i], i, tick);
+    const LightState light = evaluate_light(timeline.lights[i], i, to_world(timeline.lights[i].node), tick);
     if (plan.has_color() || !options.normals) add_light(light, plan);
   }
   plan.keeps_vertices = options.kept_vertices;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "anim/node_sampler.hpp"
 #include "anim/timeline_at.hpp"
 #include "host/scene/model/model_choice.hpp"
 #include "morphcl/error.hpp"
@@ -30,11 +31,16 @@ void warn_of_emptiness(Scene& scene) {
 void warn_of_up(Scene& scene) {
   const Camera& camera = scene.timeline.camera;
   if (camera.node >= 0) return;
+  NodeSampler nodes(scene.timeline.nodes);
   const std::vector<std::int64_t> frames = frame_numbers(scene.frames);
-  const bool moves = !camera.eye_track.empty() || !camera.target_track.empty() || !camera.up_track.empty();
+  const bool moves = !camera.eye_track.empty() || !camera.target_track.empty() || !camera.up_track.empty() ||
+                     (camera.parent >= 0 && !nodes.is_still(camera.parent));
   const std::size_t step = moves ? (frames.size() + 99) / 100 : frames.size();
   for (std::size_t i = 0; i < frames.size(); i += step) {
-    const CameraState state = evaluate_camera(camera, glm::dmat4(1.0), tick_of(scene.timeline.time, frames[i]));
+    const std::int64_t tick = tick_of(scene.timeline.time, frames[i]);
+    nodes.go_to(tick);
+    const glm::dmat4 to_world = camera.parent < 0 ? glm::dmat4(1.0) : nodes.to_world(camera.parent);
+    const CameraState state = evaluate_camera(camera, to_world, tick);
     if (!state.up_replaced) continue;
     const glm::dmat4& m = state.world_to_eye;
     scene.warnings.push_back(fmt::format("camera: at frame {} up lies along the view; ({:.6g}, {:.6g}, {:.6g}) is used",

@@ -83,6 +83,10 @@ constexpr Synonym synonyms[] = {
     {"translation", "transform"},
     {"rotation", "transform"},
     {"scale", "transform"},
+    {"childof", "parent"},
+    {"attachedto", "parent"},
+    {"below", "parent"},
+    {"group", "parent"},
     // transform steps
     {"translation", "translate"},
     {"position", "translate"},

@@ -128,14 +128,18 @@ void read_camera_track(const ShotValue& value, bool by_direction, TrackReader& t
   *driven->track = tracks.read(table, distance && !is_parallel(camera.projection) ? KeyValue::positive : driven->kind);
 }
 
-Camera model_camera(const ShotTable& table, MeshLibrary& library, Scene& scene) {
+Camera model_camera(const ShotTable& table, MeshLibrary& library, ParentLinks& parents, Scene& scene) {
   for (const TomlEntry& entry : table.entries())
-    if (entry.key != "model" && entry.key != "name" && entry.key != "animation")
+    if (entry.key != "model" && entry.key != "name" && entry.key != "animation" && entry.key != "parent")
       table.need(entry.key).fail(fmt::format("{} is the model's own where a camera is taken out of one", entry.key));
   ImportedModel model = library.camera_model(table);
   const int first_node = static_cast<int>(scene.timeline.nodes.size());
+  const auto parent = table.find("parent");
   for (Node& node : model.nodes) {
-    if (node.parent >= 0) node.parent += first_node;
+    if (node.parent >= 0)
+      node.parent += first_node;
+    else if (parent)
+      parents.hang_node(*parent, static_cast<int>(scene.timeline.nodes.size()));
     scene.timeline.nodes.push_back(std::move(node));
   }
   model.camera->node += first_node;
@@ -152,7 +156,7 @@ void refuse_view(const std::optional<std::string>& view, const ShotValue& camera
 }  // namespace
 
 ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>& view, TrackReader& tracks,
-                       MeshLibrary& library, Scene& scene) {
+                       MeshLibrary& library, ParentLinks& parents, Scene& scene) {
   const ShotTable table = value.table({"eye",
                                        "target",
                                        "up",
@@ -181,10 +185,11 @@ ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>&
                                        "azimuth_degrees",
                                        "elevation_degrees",
                                        "corner",
-                                       "mark_vanishing_points"});
+                                       "mark_vanishing_points",
+                                       "parent"});
   if (table.has("model")) {
     refuse_view(view, value, "is a model's");
-    return {model_camera(table, library, scene), false};
+    return {model_camera(table, library, parents, scene), false};
   }
   for (const char* key : {"name", "animation"})
     if (const auto given = table.find(key)) given->fail(fmt::format("{} belongs to a camera out of a model", key));
@@ -213,6 +218,11 @@ ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>&
   if (result.fit) {
     result.fit->near &= camera.near_track.empty();
     result.fit->far &= camera.far_track.empty();
+  }
+  if (const auto parent = table.find("parent")) {
+    if (!placed)
+      parent->fail("a fitted camera stands still in the world; say by eye and target where it stands below its parent");
+    parents.hang_camera(*parent);
   }
   result.marks_vanishing_points = marks_vanishing_points(table, camera);
   return result;

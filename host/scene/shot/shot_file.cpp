@@ -7,6 +7,7 @@
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/mesh_library.hpp"
+#include "host/scene/shot/parent_links.hpp"
 #include "host/scene/shot/shot_camera.hpp"
 #include "host/scene/shot/shot_light.hpp"
 #include "host/scene/shot/shot_object.hpp"
@@ -49,21 +50,27 @@ Scene read_shot_text(std::string_view text, const std::string& path, const LoadO
     scene.timeline.ambient = ambient->color();
     refuse_codes(*ambient);
   }
+  ParentLinks parents;
   const auto camera = shot.find("camera");
   ShotCamera shot_camera;
   ImportLimits limits;
   limits.allow_outside = options.allow_outside;
   limits.stop = options.stop;
   MeshLibrary library(path, scene.timeline.time, limits);
-  shot_camera = camera ? read_camera(*camera, options.view, tracks, library, scene) : fitted_shot_camera(options.view);
+  shot_camera =
+      camera ? read_camera(*camera, options.view, tracks, library, parents, scene) : fitted_shot_camera(options.view);
   scene.timeline.camera = std::move(shot_camera.camera);
-  shot.for_each("light", [&](const ShotValue& light) { scene.timeline.lights.push_back(read_light(light, tracks)); });
+  shot.for_each("light", [&](const ShotValue& light) {
+    const std::size_t index = scene.timeline.lights.size();
+    scene.timeline.lights.push_back(read_light(light, index, tracks, parents));
+  });
 
-  ObjectReader objects(library, tracks, scene);
+  ObjectReader objects(library, tracks, parents, scene);
   shot.for_each("object", [&](const ShotValue& object) { objects.read(object); });
   const auto object_list = shot.find("object");
   if (!object_list || (object_list->is_array() && object_list->size() == 0))
     shot.value().fail("nothing to draw; a shot needs at least one [[object]] with a mesh");
+  parents.resolve(scene.timeline);
   scene.meshes = library.take_meshes();
   scene.parts = library.parts();
   scene.warnings.insert(scene.warnings.end(), library.warnings().begin(), library.warnings().end());

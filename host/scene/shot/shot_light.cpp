@@ -28,8 +28,9 @@ void read_light_track(const ShotValue& value, double intensity, TrackReader& tra
 
 }  // namespace
 
-Light read_light(const ShotValue& value, TrackReader& tracks) {
-  const ShotTable table = value.table({"direction", "position", "color", "intensity", "falloff", "track"});
+Light read_light(const ShotValue& value, std::size_t index, TrackReader& tracks, ParentLinks& parents) {
+  const ShotTable table = value.table({"direction", "position", "color", "intensity", "falloff", "parent", "track"});
+  if (const auto parent = table.find("parent")) parents.hang_light(*parent, index);
   const auto direction = table.find("direction"), position = table.find("position");
   if (direction.has_value() == position.has_value()) value.fail("a light needs either a direction or a position");
 

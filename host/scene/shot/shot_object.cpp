@@ -62,6 +62,17 @@ void read_material(const ShotTable& table, Material& material) {
   if (const auto width = table.find("line_width")) material.line_width = read_line_width(*width);
 }
 
+// mesh = "none": nothing of its own is drawn, so that nothing may say how.
+bool is_group(const ShotTable& table) {
+  if (table.need("mesh").text() != "none") return false;
+  if (!table.has("name")) table.value().fail("a group, mesh = \"none\", needs a name that others have as their parent");
+  for (const TomlEntry& entry : table.entries())
+    if (entry.key != "name" && entry.key != "mesh" && entry.key != "parent" && entry.key != "transform" &&
+        entry.key != "track")
+      table.need(entry.key).fail(fmt::format("a group, mesh = \"none\", draws nothing; it has no {}", entry.key));
+  return true;
+}
+
 // The track of a node that `name` calls, or null, and what its keys look like.
 std::pair<Track*, KeyValue> node_track(Node& node, std::string_view name) {
   if (name == "translation") return {&node.translation_track, KeyValue::vector};
@@ -83,9 +94,9 @@ std::string ObjectReader::read_name(const ShotTable& table) {
 
 void ObjectReader::read(const ShotValue& object) {
   const ShotTable table = object.table({"name", "mesh", "animation", "scene", "targets", "segments", "shading", "color",
-                                        "double_sided", "line_width", "transform", "elastic", "track"});
+                                        "double_sided", "line_width", "parent", "transform", "elastic", "track"});
   const std::string name = read_name(table);
-  const ImportedModel& model = library_.model(table);
+  const bool group = is_group(table);
 
   const int root = static_cast<int>(scene_.timeline.nodes.size());
   Node node;
@@ -94,9 +105,11 @@ void ObjectReader::read(const ShotValue& object) {
   table.for_each("transform", [&](const ShotValue& step) { read_transform_step(step, transform); });
   node.static_transform = transform.matrix();
   scene_.timeline.nodes.push_back(std::move(node));
+  if (table.has("name")) parents_.add_named(name, root);
+  if (const auto parent = table.find("parent")) parents_.hang_node(*parent, root);
 
   const std::size_t first_object = scene_.objects.size();
-  add_model(table, model, root, name);
+  if (!group) add_model(table, library_.model(table), root, name);
   std::unordered_set<std::string> driven;
   table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
   if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "host/scene/shot/mesh_library.hpp"
+#include "host/scene/shot/parent_links.hpp"
 #include "host/scene/shot/shot_track.hpp"
 #include "host/scene/shot/shot_value.hpp"
 #include "morphcl/scene.hpp"
@@ -15,11 +16,12 @@ namespace morphcl {
 // Adds objects of a shot to a scene: nodes, objects and weights. Meshes stay in the library until all objects are read.
 class ObjectReader {
  public:
-  ObjectReader(MeshLibrary& library, TrackReader& tracks, Scene& scene)
-      : library_(library), tracks_(tracks), scene_(scene) {}
+  ObjectReader(MeshLibrary& library, TrackReader& tracks, ParentLinks& parents, Scene& scene)
+      : library_(library), tracks_(tracks), parents_(parents), scene_(scene) {}
 
   // A node of its own carries the table's transform steps and tracks; the model's node tree hangs below it. The table's
-  // shading, color and double_sided replace the model's where given.
+  // shading, color and double_sided replace the model's where given. An object without a mesh is a group: its node
+  // alone.
   void read(const ShotValue& object);
 
  private:
@@ -31,6 +33,7 @@ class ObjectReader {
 
   MeshLibrary& library_;
   TrackReader& tracks_;
+  ParentLinks& parents_;
   Scene& scene_;
   std::unordered_set<std::string> names_;
 };

@@ -87,6 +87,8 @@ bool marks_vanishing_points(const ShotTable& camera_table, const Camera& camera)
   const auto mark = camera_table.find("mark_vanishing_points");
   if (!mark || !mark->boolean()) return false;
   if (is_parallel(camera.projection)) mark->fail("a parallel projection has no vanishing points");
+  if (const auto parent = camera_table.find("parent"))
+    parent->fail("vanishing points can be marked for a camera that stands in the world; this one has a parent");
   if (!camera.eye_track.empty() || !camera.target_track.empty() || !camera.up_track.empty())
     mark->fail("vanishing points can be marked for a camera that stands still; this one has tracks");
   return true;
