@@ -1,8 +1,6 @@
 // The solids of revolution: the sphere and the torus.
-#include <cstddef>
-
+#include "host/geometry/circle.hpp"
 #include "host/geometry/grid_topology.hpp"
-#include "morphcl/numerics.hpp"
 #include "morphcl/solids.hpp"
 
 namespace morphcl {
@@ -10,13 +8,6 @@ namespace morphcl {
 namespace {
 
 constexpr double ring_radius = 0.7, tube_radius = 0.3;
-
-std::vector<SinCos> circle(int segments, double degrees) {
-  std::vector<SinCos> points;
-  points.reserve(static_cast<std::size_t>(segments) + 1);
-  for (int i = 0; i <= segments; ++i) points.push_back(sin_cos_degrees(degrees * i / segments));
-  return points;
-}
 
 }  // namespace
 

@@ -5,7 +5,9 @@
 // axis.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -76,6 +78,34 @@ Mesh make_torus(Segments segments);
 
 // The square from -1 to 1 in the xz plane, facing +y; i runs along x, j along z. Not closed.
 Mesh make_grid(Segments segments);
+
+// A cylinder of radius 1 about the y axis, from y = -1 to 1; the side is cut into v rows. Its rows are, downwards, the
+// upper centre and rim facing up, the v+1 rows of the side facing outwards, the lower rim and centre facing down:
+// (u+1)(v+5) vertices with sharp rims, 2u(v+1) triangles.
+Mesh make_cylinder(Segments segments);
+
+// A cone: the cylinder with its upper rim in the apex (0, 1, 0). The same triangles, so that one is a morph target of
+// the other; those at the apex have no area.
+Mesh make_cone(Segments segments);
+
+// A right prism over a regular polygon of u sides about the y axis, its corners on the circle of radius 1, the first in
+// +z; from y = -1 to 1, the sides cut into v rows. Each side has vertices of its own, so that its edges are sharp:
+// 2u(v+1) of the sides, then u+1 of the upper and u+1 of the lower face, whose centre comes first. Its edges are those
+// of the solid: 3u, cut into v pieces along y.
+Mesh make_prism(Segments segments);
+
+// The surface that a profile of points (radius, y) sweeps when it turns once about the y axis, cut into u pieces
+// around. The profile runs downwards on the outside: from the axis to the axis, or with its first point as its last,
+// the surface is closed. Each of its pieces is a band of its own with 2(u+1) vertices, so that the profile's corners
+// are sharp: normals are those of the cone that the band is part of. A piece that goes nowhere, or along the axis, has
+// none. Error(usage): fewer than two points, more than max_solid_vertices vertices, a radius below 0, a number that is
+// not finite, no piece with an area.
+Mesh make_revolution(std::span<const glm::dvec2> profile, int u);
+
+// A curve through points, drawn as lines: v edges from each point to the next, and no triangles. Between points it is
+// the cubic with default_tangents() at evenly spaced parameters: those of Catmull and Rom. Error(usage): fewer than two
+// points, v below 1, more than max_solid_vertices vertices, a number that is not finite.
+Mesh make_curve(std::span<const glm::dvec3> points, int v);
 
 // Newell's teapot from its 32 bicubic Bezier patches, each cut into u x v quads, in the size of GLUT's teapot of size
 // 1: y up, spout towards +x, half the classic scale, lowered so that the classic height 1.5 is y = 0; so x is in

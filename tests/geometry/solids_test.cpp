@@ -59,15 +59,15 @@ TEST_P(ClosedSolid, HasUnitNormalsOnTheOutside) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ClosedSolid,
-                         ::testing::Values(Closed{"pyramid_to_cube", {}, 2}, Closed{"cube", {}, 2},
-                                           Closed{"sphere", {}, 2}, Closed{"sphere", Segments{3, 2}, 2},
-                                           Closed{"sphere", Segments{7, 5}, 2}, Closed{"sphere_to_cube", {}, 2},
-                                           Closed{"sphere_to_cube", Segments{8, 6}, 2}, Closed{"torus", {}, 0},
-                                           Closed{"torus", Segments{5, 7}, 0}),
-                         [](const auto& test) {
-                           return std::string(test.param.name) + "_" + std::to_string(test.index);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, ClosedSolid,
+    ::testing::Values(Closed{"pyramid_to_cube", {}, 2}, Closed{"cube", {}, 2}, Closed{"sphere", {}, 2},
+                      Closed{"sphere", Segments{3, 2}, 2}, Closed{"sphere", Segments{7, 5}, 2},
+                      Closed{"sphere_to_cube", {}, 2}, Closed{"sphere_to_cube", Segments{8, 6}, 2},
+                      Closed{"torus", {}, 0}, Closed{"torus", Segments{5, 7}, 0}, Closed{"cylinder", {}, 2},
+                      Closed{"cylinder", Segments{3, 4}, 2}, Closed{"cone", {}, 2}, Closed{"cone", Segments{5, 3}, 2},
+                      Closed{"prism", {}, 2}, Closed{"prism", Segments{3, 2}, 2}),
+    [](const auto& test) { return std::string(test.param.name) + "_" + std::to_string(test.index); });
 
 Mesh morphed(const Mesh& mesh, float weight) {
   Mesh result = mesh;
@@ -159,6 +159,101 @@ TEST(Torus, IsWithinItsRadii) {
     const double from_ring = std::hypot(std::hypot(p.x, p.z) - 0.7, static_cast<double>(p.y));
     EXPECT_NEAR(from_ring, 0.3, 2 * unit_length_bound);
   }
+}
+
+TEST(Cylinder, ConeAndCylinderHaveTheSameTopology) {
+  const Mesh cylinder = make_cylinder({7, 2}), cone = make_cone({7, 2});
+  EXPECT_EQ(cylinder.triangles, cone.triangles);
+  EXPECT_EQ(cylinder.positions.size(), cone.positions.size());
+  EXPECT_EQ(cylinder.positions.size(), 8u * 7);
+  EXPECT_EQ(cylinder.triangles.size(), 2u * 7 * 3);
+}
+
+// A regular polygon of u corners at radius 1 has the area u sin(360 / u) / 2; the rest follows. 2^-22 of the volume:
+// each coordinate is off by half an ulp of fp32 at most, and the volume by three times as much in proportion.
+TEST(Cylinder, VolumesAreThoseOfThePolygonsOnTheirCircle) {
+  constexpr double pi = 3.14159265358979323846, bound = 0x1p-22;
+  const auto volume = [](const Mesh& mesh) {
+    return testing::signed_volume(testing::weld(mesh.positions, mesh.triangles));
+  };
+  for (const int u : {3, 4, 6, 17}) {
+    const double area = 0.5 * u * std::sin(2 * pi / u);
+    EXPECT_NEAR(volume(make_cylinder({u, 3})) / (2 * area), 1, bound) << u;
+    EXPECT_NEAR(volume(make_cone({u, 3})) / (2 * area / 3), 1, bound) << u;
+    EXPECT_NEAR(volume(make_prism({u, 3})) / (2 * area), 1, bound) << u;
+    const std::vector<glm::dvec2> profile = {{0, 3}, {2, 0}, {1, -3}, {0, -3}};
+    const double cones = area * (4 * 3 / 3.0 + (4 + 2 + 1) * 3 / 3.0);  // a cone and a frustum
+    EXPECT_NEAR(volume(make_revolution(profile, u)) / cones, 1, bound) << u;
+  }
+}
+
+TEST(Prism, DrawsItsOwnEdges) {
+  const Mesh mesh = make_prism({6, 1});
+  EXPECT_EQ(mesh.edges.size(), 18u);
+  for (const glm::uvec2& edge : mesh.edges) {
+    const glm::dvec3 along = glm::dvec3(mesh.positions[edge.x]) - glm::dvec3(mesh.positions[edge.y]);
+    // As long as the radius, or as high as the prism.
+    EXPECT_NEAR(glm::length(along), along.y == 0 ? 1 : 2, 4 * unit_length_bound);
+  }
+}
+
+TEST(Revolution, ClosedProfilesAreClosedSurfaces) {
+  const std::vector<glm::dvec2> top = {{0, 1}, {1, 0.5}, {1, -0.5}, {0, -1}}, ring = {{2, 1}, {3, 0}, {2, -1}, {2, 1}},
+                                open = {{1, 1}, {1, -1}};
+  const auto surface = [](const std::vector<glm::dvec2>& profile) {
+    const Mesh mesh = make_revolution(profile, 9);
+    validate(mesh);
+    for (const glm::vec3& normal : mesh.normals) EXPECT_NEAR(glm::length(glm::dvec3(normal)), 1, unit_length_bound);
+    for (const glm::uvec3& t : mesh.triangles) {
+      const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+      for (int corner = 0; corner < 3; ++corner)
+        EXPECT_GT(glm::dot(glm::cross(b - a, c - a), glm::dvec3(mesh.normals[t[corner]])), 0);
+    }
+    return testing::weld(mesh.positions, mesh.triangles);
+  };
+  EXPECT_TRUE(testing::is_closed(surface(top)));
+  EXPECT_EQ(testing::euler_characteristic(surface(top)), 2);
+  EXPECT_TRUE(testing::is_closed(surface(ring)));
+  EXPECT_EQ(testing::euler_characteristic(surface(ring)), 0);
+  EXPECT_FALSE(testing::is_closed(surface(open)));
+}
+
+TEST(Revolution, PiecesOnTheAxisAndWithoutLengthHaveNoBand) {
+  const std::vector<glm::dvec2> profile = {{0, 2}, {0, 1}, {1, 0}, {1, 0}, {0, -1}};
+  EXPECT_EQ(make_revolution(profile, 5).positions.size(), 2u * 2 * 6);
+}
+
+TEST(Curve, GoesThroughItsPointsAndKeepsLines) {
+  const std::vector<glm::dvec3> points = {{0, 0, 0}, {1, 2, 0}, {3, 1, 5}, {4, 4, 4}};
+  const Mesh mesh = make_curve(points, 8);
+  validate(mesh);
+  ASSERT_EQ(mesh.positions.size(), 25u);
+  EXPECT_EQ(mesh.edges.size(), 24u);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(mesh.positions[8 * i], glm::vec3(points[i])) << i;
+  // Halfway, Catmull and Rom: (9 (b + c) - a - d) / 16.
+  EXPECT_EQ(mesh.positions[12], glm::vec3((9.0 * (points[1] + points[2]) - points[0] - points[3]) / 16.0));
+  const std::vector<glm::dvec3> line = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+  for (const glm::vec3& p : make_curve(line, 4).positions) EXPECT_EQ(p, p.x * glm::vec3(1, 2, 3));
+}
+
+TEST(Curve, RefusesWhatCannotBeMade) {
+  const auto message = [](auto&& make) -> std::string {
+    try {
+      make();
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return "accepted";
+  };
+  const std::vector<glm::dvec3> points = {{0, 0, 0}, {1, 0, 0}}, not_a_number = {{0, 0, 0}, {NAN, 0, 0}};
+  EXPECT_EQ(message([&] { make_curve(not_a_number, 1); }), "point 1 of the curve is not finite");
+  EXPECT_EQ(message([&] { make_curve(points, 0); }), "0 edges from point to point; 1 or more are needed");
+  EXPECT_EQ(message([&] { make_curve(points, 1 << 27); }),
+            "134217728 edges between 2 points make more than the 134217728 vertices that are allowed");
+  const std::vector<glm::dvec2> profile = {{1, 0}, {1, 1}}, unbounded = {{1, 0}, {INFINITY, 1}};
+  EXPECT_EQ(message([&] { make_revolution(unbounded, 5); }), "point 1 of the profile is not finite");
+  EXPECT_EQ(message([&] { make_revolution(profile, 1 << 27); }),
+            "1 bands of 134217728 pieces make more than the 134217728 vertices that are allowed");
 }
 
 std::string refusal(const char* name, std::optional<Segments> segments) {
