@@ -33,14 +33,15 @@ std::string window_text(const Projection& projection, double aspect) {
   std::string text = fmt::format("{:.6g} to {:.6g} across, {:.6g} to {:.6g} up{}", w.left, w.right, w.bottom, w.top,
                                  by_angle ? ", at distance 1" : "");
   if (shown.changed == ChangedAxis::none) return text;
-  const Fit fit = std::visit(
-      [](const auto& p) {
-        if constexpr (requires { p.fit; }) return p.fit;
-        return Fit::stretch;
+  const bool along_x = shown.changed == ChangedAxis::x;
+  const bool widened = std::visit(
+      [&](const auto& p) {
+        if constexpr (requires { p.left; })
+          return along_x ? w.right - w.left > p.right - p.left : w.top - w.bottom > p.top - p.bottom;
+        return false;
       },
       projection);
-  return text + fmt::format("; {} along {} to fit the image", fit == Fit::widen ? "widened" : "cropped",
-                            shown.changed == ChangedAxis::x ? "x" : "y");
+  return text + fmt::format("; {} along {} to fit the image", widened ? "widened" : "cropped", along_x ? "x" : "y");
 }
 
 std::string vanishing_text(const VanishingPoints& points, int width, int height) {

@@ -19,7 +19,8 @@ FittedWindow fitted(const Window& window, Fit fit, double aspect) {
   const double full_width = height * aspect;
   if (fit == Fit::stretch || full_width == width) return result;
   const bool too_narrow = full_width > width;
-  result.changed = too_narrow == (fit == Fit::widen) ? ChangedAxis::x : ChangedAxis::y;
+  const bool moves_x = fit == Fit::adjust_x || (fit != Fit::adjust_y && too_narrow == (fit == Fit::widen));
+  result.changed = moves_x ? ChangedAxis::x : ChangedAxis::y;
   if (result.changed == ChangedAxis::x)
     set_length(result.window.left, result.window.right, full_width);
   else

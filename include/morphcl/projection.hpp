@@ -18,9 +18,11 @@ struct Window {
 };
 
 enum class Fit {
-  stretch,  // the window fills the image as it is: x and y are drawn to different scales where the proportions differ
-  widen,    // along the axis that falls short, both sides move outwards: all of the window shows, undistorted
-  crop,     // along the axis that is too long, both sides move inwards: undistorted, but parts of the window are lost
+  stretch,   // the window fills the image as it is: x and y are drawn to different scales where the proportions differ
+  widen,     // along the axis that falls short, both sides move outwards: all of the window shows, undistorted
+  crop,      // along the axis that is too long, both sides move inwards: undistorted, but parts of the window are lost
+  adjust_x,  // left and right move, out- or inwards: what is between bottom and top shows, undistorted
+  adjust_y,  // bottom and top move, out- or inwards: what is between left and right shows, undistorted
 };
 
 enum class ChangedAxis { none, x, y };

@@ -31,6 +31,14 @@ TEST(Window, CropsOnlyOnRequest) {
   expect_window(fitted({-2, 2, -1, 1}, Fit::crop, 1), {-1, 1, -1, 1}, ChangedAxis::x);
 }
 
+TEST(Window, AdjustsTheAxisThatIsNamedInBothDirections) {
+  expect_window(fitted({-2, 2, -1, 1}, Fit::adjust_y, 4), {-2, 2, -0.5, 0.5}, ChangedAxis::y);
+  expect_window(fitted({-2, 2, -1, 1}, Fit::adjust_y, 0.5), {-2, 2, -4, 4}, ChangedAxis::y);
+  expect_window(fitted({-2, 2, -1, 1}, Fit::adjust_x, 4), {-4, 4, -1, 1}, ChangedAxis::x);
+  expect_window(fitted({-2, 2, -1, 1}, Fit::adjust_x, 0.5), {-0.5, 0.5, -1, 1}, ChangedAxis::x);
+  expect_window(fitted({-2, 2, -1, 1}, Fit::adjust_x, 2), {-2, 2, -1, 1}, ChangedAxis::none);
+}
+
 TEST(Window, StretchesAndFitsWithoutChangingABit) {
   const Window window{-0.1, 0.3, -0.7, 0.9};
   expect_window(fitted(window, Fit::stretch, 17), window, ChangedAxis::none);
