@@ -20,8 +20,7 @@ NodeSampler::NodeSampler(const std::vector<Node>& nodes)
     const Node& node = nodes[index];
     const bool root = node.parent < 0;
     always_visible_[index] = node.visible_track.empty() && (root || always_visible_[node.parent]);
-    const bool tracked = !node.translation_track.empty() || !node.rotation_track.empty() || !node.scale_track.empty();
-    if (tracked || !(root || still_[node.parent])) continue;
+    if (moves_itself(node) || !(root || still_[node.parent])) continue;
     const glm::dmat4 local = node_to_parent(node, 0);
     to_world_[index] = root ? local : to_world_[node.parent] * local;
     still_[index] = is_finite(to_world_[index]);  // what overflows is an error of the frame that needs it

@@ -61,6 +61,14 @@ LookAt evaluate_view(const Camera& camera, const glm::dmat4& node, std::int64_t 
   return look_at(carried_point(node, eye), carried_point(node, target), glm::dmat3(node) * up);
 }
 
+glm::dmat4 steps_at(const Node& node, std::int64_t tick) {
+  try {
+    return node.steps.at(tick).matrix();
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_input, "", fmt::format("the transform of \"{}\": {}", node.name, error.message()));
+  }
+}
+
 }  // namespace
 
 std::int64_t tick_of(const TimeBase& time, std::int64_t frame) {
@@ -76,7 +84,12 @@ glm::dmat4 node_to_parent(const Node& node, std::int64_t tick) {
   glm::dmat4 matrix;
   for (int column = 0; column < 3; ++column) matrix[column] = glm::dvec4(rotation[column] * scale[column], 0);
   matrix[3] = glm::dvec4(translation, 1);
-  return matrix * node.static_transform;
+  return matrix * (node.steps.empty() ? node.static_transform : steps_at(node, tick));
+}
+
+bool moves_itself(const Node& node) {
+  return !node.translation_track.empty() || !node.rotation_track.empty() || !node.scale_track.empty() ||
+         node.steps.moves();
 }
 
 bool shows_itself(const Node& node, std::int64_t tick) { return sample(node.visible_track, 1.0, tick) >= 0.5; }
@@ -107,6 +120,21 @@ CameraState evaluate_camera(const Camera& camera, const glm::dmat4& node_to_worl
   }
 }
 
+namespace {
+
+SpotState evaluate_spot(const Light& light, const glm::dvec3& position, const glm::dmat4& node_to_world,
+                        std::int64_t tick, const std::string& place) {
+  const SpotBeam& spot = *light.spot;
+  glm::dvec3 target = sample(spot.target_track, spot.target, tick);
+  if (light.node >= 0) target = carried_point(node_to_world, target);
+  if (!is_finite(target)) throw Error(ErrorKind::bad_input, place, "a value overflows; use smaller tangents");
+  if (target == position)
+    throw Error(ErrorKind::bad_input, place, "the spot light stands at its target; a beam needs a direction");
+  return {unit(direction_from_to(position, target).high), spot.inner_cone_degrees, spot.outer_cone_degrees};
+}
+
+}  // namespace
+
 LightState evaluate_light(const Light& light, std::size_t index, const glm::dmat4& node_to_world, std::int64_t tick) {
   glm::dvec3 vector = sample(light.vector_track, light.vector, tick);
   if (light.node >= 0)
@@ -115,7 +143,11 @@ LightState evaluate_light(const Light& light, std::size_t index, const glm::dmat
   const std::string place = fmt::format("lights[{}]", index);
   if (!is_finite(vector) || !is_finite(color))
     throw Error(ErrorKind::bad_input, place, "a value overflows; use smaller tangents");
-  if (light.kind == LightKind::point) return {light.kind, vector, color, light.falloff};
+  if (light.kind == LightKind::point) {
+    LightState state{light.kind, vector, color, light.falloff};
+    if (light.spot) state.spot = evaluate_spot(light, vector, node_to_world, tick, place);
+    return state;
+  }
   if (vector == glm::dvec3(0))
     throw Error(ErrorKind::bad_input, place, "the direction is 0 0 0; it must point towards the light");
   return {light.kind, unit(vector), color, light.falloff};

@@ -14,8 +14,18 @@ namespace morphcl {
 // Error(usage) when |frame| > 1,000,000.
 std::int64_t tick_of(const TimeBase& time, std::int64_t frame);
 
-// node -> parent. Not finite where the motion overflows.
+// node -> parent. Not finite where the motion overflows. Error(bad_input) naming the node where a step degenerates.
 glm::dmat4 node_to_parent(const Node& node, std::int64_t tick);
+// Whether a track moves the node; what is above it may move it all the same.
+bool moves_itself(const Node& node);
+// Calls visit(const Track&) for each track that the node has.
+template <typename Visit>
+void for_each_track(const Node& node, Visit&& visit) {
+  for (const Track* track : {&node.translation_track, &node.rotation_track, &node.scale_track, &node.visible_track})
+    if (!track->empty()) visit(*track);
+  for (const AnimatedStep& step : node.steps.steps())
+    for (const DrivenParameters& driven : step.tracks) visit(driven.track);
+}
 // By the node's own track; what is above it may hide it all the same.
 bool shows_itself(const Node& node, std::int64_t tick);
 // Error(bad_input) naming the node when its matrix to world space is not finite.

@@ -131,6 +131,14 @@ void check_light(const Light& light, std::size_t index, std::size_t nodes) {
   check_finite(light.color, place, "color");
   check_track(light.vector_track, 3, false, place, "vector");
   check_track(light.color_track, 3, false, place, "color");
+  if (!light.spot) return;
+  require(light.kind == LightKind::point, place, "a spot light has a position; its kind is point");
+  check_finite(light.spot->target, place, "target");
+  check_track(light.spot->target_track, 3, false, place, "target");
+  const double inner = light.spot->inner_cone_degrees, outer = light.spot->outer_cone_degrees;
+  require(inner >= 0 && outer >= inner + min_cone_edge_degrees && outer <= 90, place,
+          fmt::format("its cones are {} and {} degrees; 0 <= inner, inner + {} <= outer <= 90 is needed", inner, outer,
+                      min_cone_edge_degrees));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "host/image/atomic_file.hpp"
 #include "host/job/frame_pattern.hpp"
 #include "host/memory_room.hpp"
+#include "host/scene/model/base_color.hpp"
 #include "lab/frame_error/difference_files.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/scene.hpp"
@@ -58,7 +59,8 @@ void compare_at_centres(Scene& scene) {
       print_message(fmt::format("note: {}: lines are compared one pixel wide, not {}; see docs/frame-error.md",
                                 object.name, width));
     width = 1;
-    if (object.material.base_color.a < 1 && object.material.alpha_mode == AlphaMode::blend)
+    if ((object.material.base_color.a < 1 || moves_alpha(object.material)) &&
+        object.material.alpha_mode == AlphaMode::blend)
       print_message(fmt::format("note: {}: is compared as if it were opaque; see docs/frame-error.md", object.name));
     object.material.alpha_mode = AlphaMode::opaque;
   }

@@ -171,7 +171,10 @@ typedef struct {
   float color[4];
   uint is_point;
   uint falloff;
-  uint pad[2];
+  uint has_cone;  // a spot light: what follows says how the light's share falls from the beam to the cone's edge
+  float cone_scale;
+  float beam[3];  // unit vector in eye space, away from the light
+  float cone_offset;
 } LightConstants;
 
 // A primitive that clipping cut; its corners are vertex records from first_clip_vertex + 8 * slot on.

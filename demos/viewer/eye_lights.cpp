@@ -18,6 +18,10 @@ std::vector<Light> lights_before_eye(const Timeline& timeline, std::int64_t fram
     light.vector = glm::dvec3(from_eye * (to_eye * glm::dvec4(state.vector, w)));
     light.color = state.color;
     light.falloff = state.falloff;
+    if (state.spot) {
+      const glm::dvec3 beam(from_eye * (to_eye * glm::dvec4(state.spot->beam, 0)));
+      light.spot = SpotBeam{light.vector + beam, {}, state.spot->inner_cone_degrees, state.spot->outer_cone_degrees};
+    }
     lights.push_back(light);
   }
   return lights;

@@ -69,9 +69,20 @@ class SceneHasher {
     add_all(weights, tracks, elastic.has_value());
     if (elastic) add(*elastic);
   }
+  void add(const DrivenParameters& driven) {
+    const auto& [first, track] = driven;
+    add_all(first, track);
+  }
+  void add(const AnimatedStep& step) {
+    const auto& [kind, parameters, tracks, of_axes, constant] = step;
+    add(kind);
+    for (const double parameter : parameters) add(parameter);
+    add_all(tracks, of_axes, constant.matrix());
+  }
   void add(const Node& node) {
-    const auto& [name, parent, matrix, translation, rotation, scale, moves, turns, grows, shows] = node;
+    const auto& [name, parent, matrix, translation, rotation, scale, moves, turns, grows, shows, steps] = node;
     add_all(parent, matrix, translation, rotation, scale, moves, turns, grows, shows);
+    if (!steps.empty()) add_all(std::string_view("steps"), steps.steps());
   }
   void add(const Perspective& projection) {
     const auto& [fovy, near, far] = projection;
@@ -106,9 +117,12 @@ class SceneHasher {
     if (parent >= 0) add_all(std::string_view("camera parent"), parent);
   }
   void add(const Light& light) {
-    const auto& [kind, vector, color, falloff, vector_track, color_track, node] = light;
+    const auto& [kind, vector, color, falloff, vector_track, color_track, node, spot] = light;
     add_all(kind, vector, color, falloff, vector_track, color_track);
     if (node >= 0) add_all(std::string_view("light node"), node);
+    if (!spot) return;
+    const auto& [target, target_track, inner, outer] = *spot;
+    add_all(std::string_view("spot"), target, target_track, inner, outer);
   }
   void add(const Timeline& timeline) {
     const auto& [time, nodes, camera, lights, ambient] = timeline;
@@ -127,11 +141,13 @@ class SceneHasher {
   }
   void add(const Object& object) {
     const auto& [name, mesh, node, material, morph] = object;
-    const auto& [base_color, shading, double_sided, line_width, own_name, alpha_mode, alpha_cutoff] = material;
+    const auto& [base_color, shading, double_sided, line_width, own_name, alpha_mode, alpha_cutoff, base_color_track] =
+        material;
     add_all(mesh, node, base_color, shading, double_sided, morph);
     if (line_width != 1) add_all(std::string_view("line_width"), line_width);
     if (alpha_mode != AlphaMode::blend) add_all(std::string_view("alpha_mode"), alpha_mode, alpha_cutoff);
     if (alpha_mode == AlphaMode::blend && base_color.a < 1) add(std::string_view("alpha"));
+    if (!base_color_track.empty()) add_all(std::string_view("base_color_track"), base_color_track);
   }
   void add(const ImageSettings& image) {
     const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error,

@@ -58,6 +58,9 @@ struct Material {
   std::string name = {};                      // "": the object's; materials of one name are one (material_names())
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;  // of AlphaMode::mask
+  // Moves red, green and blue of base_color, of width 4 alpha too. What it overshoots to is brought back to 0 or more,
+  // alpha to 0 to 1.
+  Track base_color_track = {};
 };
 constexpr double max_line_width = 256;
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "morphcl/animated_transform.hpp"
 #include "morphcl/projection.hpp"
 #include "morphcl/track.hpp"
 
@@ -15,7 +16,7 @@
 namespace morphcl {
 
 // A node of the hierarchy. node -> parent is translation * rotation * scale * static_transform; a track, where there is
-// one, replaces the constant beside it.
+// one, replaces the constant beside it, and steps, where there are any, replace static_transform.
 struct Node {
   std::string name;
   int parent = -1;                   // index into Timeline::nodes, -1 for a root
@@ -24,7 +25,8 @@ struct Node {
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  // w x y z
   glm::dvec3 scale{1.0};
   Track translation_track, rotation_track, scale_track;  // width 3, 4 (rotation), 3
-  Track visible_track;  // width 1; visible where >= 0.5, and without a track; hides what is below
+  Track visible_track;           // width 1; visible where >= 0.5, and without a track; hides what is below
+  AnimatedTransform steps = {};  // a shot's transform steps that move
 };
 
 // How the vertices of an object follow its morph when they are masses on springs instead of moving with the weights.
@@ -87,6 +89,17 @@ struct Camera {
 
 enum class LightKind { directional, point };
 
+// What makes a point light a spot light: a beam from its position towards `target`. Its light is multiplied by
+// c^2, c = (cos a - cos outer) / (cos inner - cos outer) clamped to 0 to 1, a the angle from the beam's axis: all of it
+// within the inner cone, nothing outside the outer one (the falloff of glTF's KHR_lights_punctual).
+struct SpotBeam {
+  glm::dvec3 target{0.0};  // in the space that the light's position is given in
+  Track target_track;      // width 3
+  // From the axis: 0 <= inner, inner + min_cone_edge_degrees <= outer <= 90.
+  double inner_cone_degrees = 0, outer_cone_degrees = 45;
+};
+constexpr double min_cone_edge_degrees = 0.01;
+
 // A surface's colour is its base colour times its vertex colour times (ambient + the sum over the lights of their
 // colour times the cosine of the angle between the normal and the direction to the light, or 0 where that is negative),
 // without 1/pi. Nothing casts shadows.
@@ -98,9 +111,10 @@ struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 vector{0, 0, 1};
   glm::dvec3 color{1.0};
-  bool falloff = false;             // point light: divided by the squared distance in world units
-  Track vector_track, color_track;  // width 3
-  int node = -1;                    // index into Timeline::nodes
+  bool falloff = false;                         // point light: divided by the squared distance in world units
+  Track vector_track, color_track;              // width 3
+  int node = -1;                                // index into Timeline::nodes
+  std::optional<SpotBeam> spot = std::nullopt;  // of a point light
 };
 
 struct Timeline {
@@ -130,11 +144,16 @@ struct CameraState {
   glm::dmat4 world_to_eye{1.0};
   bool up_replaced = false;  // as LookAt has it (camera.hpp)
 };
+struct SpotState {
+  glm::dvec3 beam;  // world space, unit length, away from the light
+  double inner_cone_degrees, outer_cone_degrees;
+};
 struct LightState {
   LightKind kind;
   glm::dvec3 vector;  // world space; directional: unit length, towards the light; point: position
   glm::dvec3 color;
   bool falloff;
+  std::optional<SpotState> spot = std::nullopt;
 };
 struct FrameState {
   std::int64_t frame = 0;
@@ -146,8 +165,8 @@ struct FrameState {
 };
 
 // `timeline` has passed validate(). Error(usage) when |frame| > 1,000,000. Error(bad_input), naming the frame, where
-// the motion itself goes wrong: eye meets target, a projection or a light's direction degenerates, a transform
-// overflows.
+// the motion itself goes wrong: eye meets target, a projection or a light's direction degenerates, a spot light meets
+// what it shines at, a transform overflows.
 FrameState evaluate(const Timeline& timeline, std::int64_t frame);
 
 }  // namespace morphcl

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lab/frame_error/precise_camera.hpp"
+#include "morphcl/numerics.hpp"
 #include "morphcl/timeline.hpp"
 
 namespace morphcl::accuracy {
@@ -15,8 +16,19 @@ class PreciseLighting {
     for (const LightState& light : state.lights) {
       const Vector3<Real> vector = to_real<Real>(light.vector);
       const bool point = light.kind == LightKind::point;
-      lights_.push_back({point, light.falloff, to_real<Real>(light.color),
-                         point ? times_point(camera.world_to_eye, vector) : times_vector(camera.world_to_eye, vector)});
+      lights_.push_back({point,
+                         light.falloff,
+                         to_real<Real>(light.color),
+                         point ? times_point(camera.world_to_eye, vector) : times_vector(camera.world_to_eye, vector),
+                         light.spot.has_value(),
+                         {},
+                         0,
+                         0});
+      if (!light.spot) continue;
+      Source& spot = lights_.back();
+      spot.beam = times_vector(camera.world_to_eye, to_real<Real>(light.spot->beam));
+      spot.inner = Real(sin_cos_degrees(light.spot->inner_cone_degrees).cos);
+      spot.outer = Real(sin_cos_degrees(light.spot->outer_cone_degrees).cos);
     }
   }
 
@@ -27,14 +39,15 @@ class PreciseLighting {
     Vector3<Real> sum = ambient_;
     for (const Source& light : lights_) {
       Vector3<Real> to_light = light.vector;
-      Real divisor = 1;
+      Real divisor = 1, share = 1;
       if (light.point) {
         to_light = to_light - position;
         const Real square = dot(to_light, to_light);
         divisor = light.falloff ? Real(square * sqrt(square)) : Real(sqrt(square));
+        if (light.has_cone && square > 0) share = light.share(Real(-dot(light.beam, to_light) / sqrt(square)));
       }
       const Real cosine = dot(n, to_light);
-      if (cosine > 0 && divisor > 0) sum = sum + light.color * Real(cosine / divisor);
+      if (cosine > 0 && divisor > 0) sum = sum + light.color * Real(share * cosine / divisor);
     }
     return sum;
   }
@@ -43,6 +56,15 @@ class PreciseLighting {
   struct Source {
     bool point, falloff;
     Vector3<Real> color, vector;  // eye space: unit direction towards the light, or position
+    bool has_cone;
+    Vector3<Real> beam;
+    Real inner, outer;  // cosines of the cones
+
+    Real share(const Real& cosine) const {
+      const Real ramp = (cosine - outer) / (inner - outer);
+      if (!(ramp > 0)) return 0;
+      return ramp > 1 ? Real(1) : Real(ramp * ramp);
+    }
   };
   Vector3<Real> ambient_;
   std::vector<Source> lights_;

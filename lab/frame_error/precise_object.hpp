@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "host/scene/model/base_color.hpp"
 #include "lab/frame_error/precise_camera.hpp"
 #include "morphcl/scene.hpp"
 #include "morphcl/timeline.hpp"
@@ -113,7 +114,7 @@ PreciseObject<Real> make_object(const Scene& scene, std::size_t index, const Fra
   if (!object.drawn) return object;
   object.double_sided = source.material.double_sided;
   object.has_colors = object.shading != Shading::wireframe && !object.mesh->colors.empty();
-  object.base_color = to_real<Real>(source.material.base_color);
+  object.base_color = to_real<Real>(base_color_at(source.material, scene.timeline.time.frame_ticks(state.frame)));
   object.object_to_eye = camera.world_to_eye * to_real<Real>(state.node_to_world[source.node]);
   object.normal_to_eye = normals_matrix(object.object_to_eye);
   const Matrix<Real>& m = object.object_to_eye;

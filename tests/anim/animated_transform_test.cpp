@@ -1,5 +1,7 @@
 #include "morphcl/animated_transform.hpp"
 
+#include <utility>
+
 #include "morphcl/track.hpp"
 #include "tests/math/check.hpp"
 
@@ -56,6 +58,34 @@ TEST(AnimatedTransform, BadTracksAndDegenerateParametersAreErrors) {
   expect_error([&] { t.shear(Track()); }, ErrorKind::usage, "shear: its track has 0");
   t.rotate_about_axis({1, 1, 1}, {1, 1, 1}, linear({0, 1}));
   expect_error([&] { t.at(0); }, ErrorKind::usage, "two different points");
+}
+
+TEST(AnimatedTransform, AnyParameterOfAStepMayMove) {
+  AnimatedStep turn{StepKind::rotate_about_axis, {0, 0, 0, 1, 0, 1, 0}};
+  turn.tracks.push_back({0, linear({0, 0, 0, 2, 4, 6})});
+  turn.tracks.push_back({6, linear({0, 60})});
+  AnimatedTransform moving;
+  moving.add_step(turn);
+  EXPECT_TRUE(moving.moves());
+  EXPECT_EQ(moving.at(film.frame_ticks(360)).matrix(),
+            CompositeTransform().rotate_about_axis({1, 2, 3}, {1, 0, 1}, 30).matrix());
+  turn.of_axes = true;
+  AnimatedTransform axes;
+  axes.add_step(turn);
+  EXPECT_EQ(axes.at(film.frame_ticks(360)).matrix(),
+            CompositeTransform().rotate_about_axis({1, 2, 3}, {1, 0, 1}, -30).matrix());
+}
+
+TEST(AnimatedTransform, TracksThatDriveNothingAreErrors) {
+  AnimatedTransform t;
+  const auto with = [&](int first, Track track) {
+    AnimatedStep step{StepKind::translate};
+    step.tracks.push_back({first, std::move(track)});
+    return [&t, step] { t.add_step(step); };
+  };
+  expect_error(with(1, linear({0, 0, 0, 1, 1, 1})), ErrorKind::usage, "from parameter 1 on");
+  expect_error(with(-1, linear({0, 1})), ErrorKind::usage, "from parameter -1 on");
+  expect_error(with(0, Track()), ErrorKind::usage, "needs a track that is neither empty");
 }
 
 }  // namespace

@@ -86,8 +86,29 @@ TEST(Fingerprint, EverythingThatDecidesTheFileChangesIt) {
       [](Scene& s) { s.timeline.camera.projection = Oblique{}; },
       [](Scene& s) { s.timeline.camera.projection = Oblique{.shear = {0.5, 0}}; },
       [](Scene& s) { s.timeline.camera.fovy_track = Track::linear(s.timeline.time, {{0, 45.0}, {9, 50.0}}); },
+      [](Scene& s) { s.timeline.nodes[0].steps.fixed(CompositeTransform()); },
+      [](Scene& s) { s.timeline.nodes[0].steps.fixed(CompositeTransform().translate({1, 0, 0})); },
+      [](Scene& s) { s.timeline.nodes[0].steps.add_step({StepKind::translate, {1}}); },
+      [](Scene& s) { s.timeline.nodes[0].steps.add_step({StepKind::translate, {1}, {}, true}); },
+      [](Scene& s) { s.timeline.nodes[0].steps.add_step({StepKind::rotate_x_degrees, {1}}); },
+      [](Scene& s) {
+        s.timeline.nodes[0].steps.add_step(
+            {StepKind::translate, {}, {{0, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})}}});
+      },
+      [](Scene& s) {
+        s.timeline.nodes[0].steps.add_step(
+            {StepKind::translate, {}, {{1, Track::linear(s.timeline.time, {{0, 0.0}, {9, 1.0}})}}});
+      },
+      [](Scene& s) {
+        s.objects[0].material.base_color_track =
+            Track::linear(s.timeline.time, std::vector<VectorKey>{{0, glm::dvec3(0)}, {9, glm::dvec3(1)}});
+      },
       [](Scene& s) { s.timeline.camera.parent = 0; },
       [](Scene& s) { s.timeline.lights[0].node = 0; },
+      [](Scene& s) { s.timeline.lights[0].spot.emplace(); },
+      [](Scene& s) { s.timeline.lights[0].spot.emplace().target.x = 1; },
+      [](Scene& s) { s.timeline.lights[0].spot.emplace().inner_cone_degrees = 1; },
+      [](Scene& s) { s.timeline.lights[0].spot.emplace().outer_cone_degrees = 1; },
       [](Scene& s) { s.timeline.lights[0].color.r = 0.5; },
       [](Scene& s) { s.timeline.lights[0].kind = LightKind::point; },
       [](Scene& s) { s.timeline.ambient.b = 0.5; },

@@ -125,6 +125,25 @@ TEST_P(KeptFrame, TargetsComeAndGoWhereNothingElseChanges) {
     expect_parity(planner, frame, buffer);
 }
 
+// Colours that change where nothing else does, fade and are gone.
+TEST_P(KeptFrame, ColorsChangeOfWhatStandsStill) {
+  SceneBuilder builder(kept_width, kept_height);
+  builder.look({3, 2, 6});
+  for (int i = 0; i < 3; ++i) builder.add(make_cube(), GetParam(), place({1.5 * i - 1.5, 0, 0}));
+  scene_ = builder.scene();
+  const Timeline& timeline = scene_.timeline;
+  scene_.objects[0].material.base_color_track =
+      steps(timeline, 3, {1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 0.5, 0, 0});
+  scene_.objects[2].material.base_color_track =
+      steps(timeline, 4, {1, 0, 0, 1, 1, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 1, 0.25});
+  const Planner planner(scene_);
+  FrameBuffer buffer(kept_width, kept_height, {Channel::color, Channel::depth});
+  for (const std::int64_t frame : {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2, 1, 0, 6, 0, 3, 3}) {
+    expect_parity(planner, frame, buffer);
+    EXPECT_EQ((*planner.plan(frame)).draws.size(), frame == 2 || frame == 3 ? 2u : 3u) << "frame " << frame;
+  }
+}
+
 // First among the draws, so that the others change their place.
 TEST_P(KeptFrame, WhatMovesLeavesAndOnlyStillObjectsRemain) {
   SceneBuilder builder(kept_width, kept_height);

@@ -132,6 +132,67 @@ TEST(BoundsOverTime, HoldTheObjectAtEveryFrame) {
   EXPECT_GT(still, 100);
 }
 
+AnimatedStep random_step(Random32& random) {
+  constexpr StepKind kinds[] = {StepKind::fixed,
+                                StepKind::translate,
+                                StepKind::scale_about,
+                                StepKind::rotate_x_degrees,
+                                StepKind::rotate_y_degrees,
+                                StepKind::rotate_z_degrees,
+                                StepKind::rotate_about_axis};
+  AnimatedStep step;
+  step.kind = kinds[random.below(7)];
+  if (step.kind == StepKind::fixed) {
+    const double xy = random.number();
+    const double yx = random.number();
+    step.constant.shear(xy, 0, yx, 0, 0, 0);
+  }
+  for (double& parameter : step.parameters) parameter = random.number(3);
+  for (int first = 0; first < parameter_count(step.kind); first += 3)
+    if (random.one_in(2))
+      step.tracks.push_back({first, random_track(random, std::min(3, parameter_count(step.kind) - first), false, 4)});
+  const bool scales = step.kind == StepKind::scale_about;
+  step.of_axes = random.one_in(2) && !(scales && !step.tracks.empty());
+  return step;
+}
+
+// Steps that move, two a node.
+TEST(BoundsOverTime, HoldTheObjectThatStepsMove) {
+  Random32 random(6);
+  int moving = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    Timeline timeline;
+    timeline.nodes.resize(2);
+    timeline.nodes[1].parent = 0;
+    for (Node& node : timeline.nodes)
+      for (int i = 0; i < 2; ++i) node.steps.add_step(random_step(random));
+    const Box box{{2, 1, -0.1}, {2.1, 1.2, 0.1}};
+    NodeSampler sampler(timeline.nodes);
+    const std::optional<BoundedBox> bounds = bounds_over_time(timeline.nodes, sampler, 1, box);
+    ASSERT_TRUE(bounds);
+    moving += sampler.is_still(1) ? 0 : 1;
+    for (std::int64_t frame = -1; frame < 30; ++frame) {
+      sampler.go_to(tick_of(timeline.time, frame));
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(sampler.to_world(1) * glm::dvec4(box.corner(corner), 1.0));
+        for (int axis = 0; axis < 3; ++axis)
+          ASSERT_LE(std::abs(p[axis] - bounds->center[axis]), bounds->half[axis]) << trial << ' ' << frame;
+      }
+    }
+  }
+  EXPECT_GT(moving, 500);
+}
+
+TEST(BoundsOverTime, OfStepsWithoutABoundAreUnknown) {
+  Timeline timeline;
+  timeline.nodes.resize(1);
+  AnimatedStep shear{StepKind::shear};
+  shear.tracks.push_back({0, Track({Interpolation::step, 1, false, 25, {0, 1}, {0, 1}})});
+  timeline.nodes[0].steps.add_step(shear);
+  const NodeSampler sampler(timeline.nodes);
+  EXPECT_FALSE(bounds_over_time(timeline.nodes, sampler, 0, Box{{0, 0, 0}, {1, 1, 1}}));
+}
+
 TEST(BoundsOverTime, OfWhatMayOverflowOrMovesTooDeepAreUnknown) {
   Timeline timeline;
   timeline.nodes.resize(70);

@@ -49,6 +49,8 @@ TEST(ShotCamera, WindowsAreWidenedUnlessToldOtherwise) {
   EXPECT_EQ(projection<Frustum>("left = -3\nprojection = \"frustum\"").fit, Fit::widen);
   EXPECT_EQ(projection<Frustum>("left = -3\nprojection = \"frustum\"\nfit = \"stretch\"").fit, Fit::stretch);
   EXPECT_EQ(projection<Orthographic>("projection = \"isometric\"\nfit = \"crop\"").fit, Fit::crop);
+  EXPECT_EQ(projection<Orthographic>("projection = \"isometric\"\nfit = \"adjust_x\"").fit, Fit::adjust_x);
+  EXPECT_EQ(projection<Orthographic>("projection = \"isometric\"\nfit = \"adjust_y\"").fit, Fit::adjust_y);
 }
 
 TEST(ShotCamera, ObliqueProjections) {
@@ -93,6 +95,23 @@ TEST(ShotCamera, DimetricByElevation) {
   const Camera c = camera("projection = \"dimetric\"\nelevation_degrees = 20\ndistance = 10");
   EXPECT_EQ(c.eye.x, c.eye.z);
   EXPECT_DOUBLE_EQ(c.eye.y, 10 * std::sin(20 * M_PI / 180));
+}
+
+// The film's half height over the focal length is the tangent of half the angle; 1 at 45 degrees.
+TEST(ShotCamera, LensIsGivenByItsFocalLength) {
+  EXPECT_EQ(projection<Perspective>("focal_length = 12").fovy_degrees, 90);
+  EXPECT_EQ(projection<Perspective>("focal_length = 2\nfilm = [9, 4]").fovy_degrees, 90);
+  EXPECT_NEAR(projection<Perspective>("focal_length = 50").fovy_degrees, 26.991466561591626, 1e-14);
+  EXPECT_EQ(projection<Perspective>("focal_length = 50\nnear = 2").near, 2);
+}
+
+TEST(ShotCamera, ProjectorsAreGivenByTheirDirection) {
+  const auto oblique = [](const char* keys) {
+    return projection<Oblique>("projection = \"oblique\"\n" + std::string(keys)).shear;
+  };
+  EXPECT_EQ(oblique("projectors = [1, 2, 4]").x, 0.25);
+  EXPECT_EQ(oblique("projectors = [1, 2, 4]").y, 0.5);
+  EXPECT_EQ(oblique("projectors = [-1, -1, -1]").x, 1);  // cavalier, and the direction's sign does not matter
 }
 
 // ---- fitted: where the table does not say where the camera stands ---------------------------------------------------

@@ -51,6 +51,27 @@ INSTANTIATE_TEST_SUITE_P(
     bad_shot_name);
 
 INSTANTIATE_TEST_SUITE_P(
+    Lens, WrongShot,
+    ::testing::Values(
+        BadShot{"FocalLengthZero", "[camera]\nfocal_length = 0", "2:16: focal_length is 0; a number above 0 is needed"},
+        BadShot{"FocalLengthBesideFovy", "[camera]\nfocal_length = 50\nfovy_degrees = 40",
+                "3:16: focal_length and fovy_degrees are both given; one says it all"},
+        BadShot{"FilmAlone", "[camera]\nfilm = [36, 24]", "2:8: film belongs to a focal_length; give both"},
+        BadShot{"FilmOfOne", "[camera]\nfocal_length = 50\nfilm = [36]",
+                "3:8: film must be two numbers: [width, height]"},
+        BadShot{"FocalLengthOfAFrustum", "[camera]\nprojection = \"frustum\"\nfocal_length = 50",
+                "3:16: the projection \"frustum\" has no focal_length"},
+        BadShot{"ProjectorsAlongThePicture", "[camera]\nprojection = \"oblique\"\nprojectors = [1, 0, 0]",
+                "3:14: the projectors' direction is (1, 0, 0); it must be finite and lead through the picture's plane "
+                "z = 0 at "
+                "1 degree or more"},
+        BadShot{"ProjectorsBesideTheFactor", "[camera]\nprojection = \"oblique\"\nfactor = 1\nprojectors = [1, 0, 1]",
+                "3:10: projectors and factor are both given; one says it all"},
+        BadShot{"ProjectorsOfACabinet", "[camera]\nprojection = \"cabinet\"\nprojectors = [1, 0, 1]",
+                "3:14: the projection \"cabinet\" has no projectors"}),
+    bad_shot_name);
+
+INSTANTIATE_TEST_SUITE_P(
     Image, WrongShot,
     ::testing::Values(
         BadShot{"SizeIsText", "[image]\nsize = \"big\"", "2:8: size must be two integers: [width, height] in pixels"},
@@ -186,7 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadShot{"FactorOfACabinet", "[camera]\nprojection = \"cabinet\"\nfactor = 0.5",
                 "3:10: the projection \"cabinet\" has no factor"},
         BadShot{"ObliqueOfNoAngle", "[camera]\nprojection = \"oblique\"",
-                "1:1: an oblique projection needs a factor, or beta_degrees: 1 or 45 is cavalier, 0.5 is cabinet"},
+                "1:1: an oblique projection needs a factor, beta_degrees or projectors: 1 or 45 is cavalier, 0.5 is "
+                "cabinet"},
         BadShot{"ObliqueTwice", "[camera]\nprojection = \"oblique\"\nfactor = 1\nbeta_degrees = 45",
                 "4:16: factor and beta_degrees are both given; one says it all"},
         BadShot{"ObliqueTooFlat", "[camera]\nprojection = \"oblique\"\nbeta_degrees = 1e-4",

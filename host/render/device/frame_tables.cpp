@@ -86,6 +86,10 @@ layout::LightConstants make_light_constants(const EyeLight& light) {
   copy(light.color, constants.color);
   constants.is_point = light.kind == LightKind::point;
   constants.falloff = light.falloff;
+  constants.has_cone = light.cone_scale > 0;
+  constants.cone_scale = light.cone_scale;
+  constants.cone_offset = light.cone_offset;
+  copy(light.beam, constants.beam);
   return constants;
 }
 

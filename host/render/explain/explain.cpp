@@ -14,6 +14,7 @@
 #include "host/render/plan/has_primitives.hpp"
 #include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/transparency.hpp"
+#include "host/scene/model/base_color.hpp"
 #include "morphcl/explain.hpp"
 #include "morphcl/numerics.hpp"
 
@@ -33,13 +34,14 @@ struct Counts {
 Counts count(const Scene& scene, const FramePlan& plan) {
   Counts counts;
   NodeSampler nodes(scene.timeline.nodes);
-  nodes.go_to(tick_of(scene.timeline.time, plan.frame));
+  const std::int64_t tick = tick_of(scene.timeline.time, plan.frame);
+  nodes.go_to(tick);
   const std::vector<bool> vertex_alpha = meshes_with_alpha(scene);
   for (const Object& object : scene.objects)
     if (!has_primitives(object, scene.meshes[object.mesh]))
       ++counts.empty;
-    else if (transparency_of(object.material, vertex_alpha[static_cast<std::size_t>(object.mesh)], plan.channels) ==
-             Transparency::whole)
+    else if (transparency_of(object.material, base_color_at(object.material, tick).a,
+                             vertex_alpha[static_cast<std::size_t>(object.mesh)], plan.channels) == Transparency::whole)
       ++counts.transparent;
     else if (!nodes.is_visible(object.node))
       ++counts.hidden;

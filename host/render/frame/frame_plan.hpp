@@ -59,6 +59,10 @@ struct EyeLight {
   std::array<float, 3> vector;  // eye space: unit direction towards the light, or position
   std::array<float, 3> color;
   bool falloff;
+  // Of a spot light, else cone_scale is 0: the unit vector along its beam, and what makes a cosine c of the angle from
+  // it the root of the light's share, cone_scale * c + cone_offset clamped to 0 to 1.
+  std::array<float, 3> beam{};
+  float cone_scale = 0, cone_offset = 0;
 };
 
 // What a row of the picture shows where nothing is drawn: the halves of R, G, B, A.

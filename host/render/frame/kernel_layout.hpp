@@ -25,7 +25,7 @@ static_assert(sizeof(LargeTriangle) == 64);
 static_assert(sizeof(DrawConstants) == 4 * (16 + 12 + 12 + 4 + 17));
 static_assert(sizeof(TargetConstants) == 32);
 static_assert(sizeof(PreciseConstants) == 80);
-static_assert(sizeof(LightConstants) == 48);
+static_assert(sizeof(LightConstants) == 64);
 static_assert(sizeof(ClippedPrimitive) == 104);
 static_assert(sizeof(BinsOffsets) == 88);
 static_assert(sizeof(FrameConstants) == sizeof(BinsOffsets) + sizeof(CameraConstants) + 4 * 53);

@@ -49,9 +49,10 @@ static_assert(sizeof(FrameKey) == 11 * 4 + sizeof(CameraConstants));
 
 struct LightKey {
   std::uint32_t kind, falloff;
-  std::array<float, 3> vector, color;
+  std::array<float, 3> vector, color, beam;
+  float cone_scale, cone_offset;
 };
-static_assert(sizeof(LightKey) == 8 * 4);
+static_assert(sizeof(LightKey) == 13 * 4);
 
 struct DrawKey {
   const Mesh* mesh;
@@ -74,8 +75,8 @@ std::uint32_t count(std::size_t size) { return static_cast<std::uint32_t>(size);
 // Every member is named here, so that the build stops at one that nobody has decided about.
 
 void add(Digester& digester, const EyeLight& light) {
-  const auto& [kind, vector, color, falloff] = light;
-  digester.add(LightKey{static_cast<std::uint32_t>(kind), falloff, vector, color});
+  const auto& [kind, vector, color, falloff, beam, cone_scale, cone_offset] = light;
+  digester.add(LightKey{static_cast<std::uint32_t>(kind), falloff, vector, color, beam, cone_scale, cone_offset});
 }
 
 void add(Digester& digester, const Draw& draw) {

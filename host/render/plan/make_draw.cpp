@@ -4,6 +4,7 @@
 
 #include "host/render/frame/kernel_layout.hpp"
 #include "host/render/plan/transparency.hpp"
+#include "host/scene/model/base_color.hpp"
 #include "morphcl/transform.hpp"
 
 namespace morphcl {
@@ -32,15 +33,15 @@ void make_draw(const DrawContext& context, std::size_t object_index, const glm::
   context.ids.set(object_index, draw);
   draw.double_sided = object.material.double_sided;
   draw.mirrored = glm::determinant(glm::dmat3(object_to_eye)) < 0.0;
-  const glm::dvec4& base = object.material.base_color;
+  const glm::dvec4 base = base_color_at(object.material, context.tick);
   draw.base_color = {to_fp32(base.r), to_fp32(base.g), to_fp32(base.b), to_fp32(base.a)};
 
   draw.line_width = static_cast<std::uint32_t>(std::max(1.0, object.material.line_width * layout::subpixels + 0.5));
 
   draw.shading = object.material.shading;
   draw.vertex_colors = draw.shading != Shading::wireframe && !draw.mesh->colors.empty();
-  draw.blended =
-      transparency_of(object.material, context.vertex_alpha[object.mesh], context.plan.channels) == Transparency::some;
+  draw.blended = transparency_of(object.material, base.a, context.vertex_alpha[object.mesh], context.plan.channels) ==
+                 Transparency::some;
   const bool masked = draw.blended && object.material.alpha_mode == AlphaMode::mask;
   draw.alpha_cutoff = masked ? to_fp32(std::clamp(object.material.alpha_cutoff, 0.0, 2.0)) : -1.0f;
   const bool shows_albedo = context.plan.has(Channel::albedo), shows_normals = context.plan.has(Channel::normal);

@@ -1,6 +1,7 @@
 // One object of a frame as the renderers get it.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "host/render/frame/frame_plan.hpp"
@@ -15,6 +16,7 @@ struct DrawContext {
   const std::vector<bool>& vertex_alpha;  // see meshes_with_alpha()
   const DrawIds& ids;
   bool keeps_normals;
+  std::int64_t tick;  // of the frame
 };
 
 // All of a draw but its targets. Error(usage) when a number does not fit into fp32.

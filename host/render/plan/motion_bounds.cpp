@@ -80,14 +80,70 @@ struct Ball {
   }
 };
 
-void apply_node(const Node& node, Ball& ball) {
-  ball.apply(node.static_transform);
+VectorRange parameter_range(const AnimatedStep& step, int first) {
+  VectorRange range{glm::dvec3(step.parameters[first], step.parameters[first + 1], step.parameters[first + 2]),
+                    glm::dvec3(0.0)};
+  for (const DrivenParameters& driven : step.tracks)
+    if (driven.first == first && driven.track.width() == 3) range = range_of(driven.track, range.middle);
+  return range;
+}
+
+VectorRange negative(const VectorRange& range) { return {-range.middle, range.half}; }
+
+// False where no bound of the step is known.
+bool apply_step(const AnimatedStep& step, Ball& ball) {
+  if (step.tracks.empty()) {
+    AnimatedTransform still;
+    still.add_step(step);
+    ball.apply(still.at(0).matrix());
+    return true;
+  }
+  const auto is_whole = [](const DrivenParameters& driven) { return driven.first % 3 == 0; };
+  switch (step.kind) {
+    case StepKind::translate: {
+      const VectorRange offset = parameter_range(step, 0);
+      ball.move(step.of_axes ? negative(offset) : offset);
+      return std::ranges::all_of(step.tracks, is_whole);
+    }
+    case StepKind::scale_about: {
+      const VectorRange point = parameter_range(step, 0);
+      ball.move(negative(point));
+      ball.scale(parameter_range(step, 3));
+      ball.move(point);
+      return !step.of_axes && std::ranges::all_of(step.tracks, is_whole);
+    }
+    case StepKind::rotate_x_degrees:
+    case StepKind::rotate_y_degrees:
+    case StepKind::rotate_z_degrees:
+      ball.turn_anyhow();
+      return true;
+    case StepKind::rotate_about_axis: {
+      const VectorRange from = parameter_range(step, 0);
+      ball.move(negative(from));
+      ball.turn_anyhow();
+      ball.move(from);
+      return std::ranges::all_of(step.tracks, is_whole);
+    }
+    case StepKind::fixed:
+    case StepKind::rotate_in_seven_steps:  // its formulas hold in a narrow range alone
+    case StepKind::shear:
+      return false;
+  }
+  return false;
+}
+
+// False where no bound of the node's motion is known.
+bool apply_node(const Node& node, Ball& ball) {
+  if (node.steps.empty()) ball.apply(node.static_transform);
+  for (const AnimatedStep& step : node.steps.steps())
+    if (!apply_step(step, ball)) return false;
   ball.scale(range_of(node.scale_track, node.scale));
   if (node.rotation_track.empty())
     ball.apply(glm::dmat4(rotation_matrix(node.rotation)));
   else
     ball.turn_anyhow();
   ball.move(range_of(node.translation_track, node.translation));
+  return true;
 }
 
 BoundedBox still_bounds(const Box& box, const glm::dmat4& to_world) {
@@ -129,7 +185,7 @@ std::optional<BoundedBox> bounds_over_time(const std::vector<Node>& nodes, const
     int moving = 0;
     for (; node >= 0 && !sampler.is_still(node); node = nodes[node].parent) {
       if (++moving > max_moving_nodes) return std::nullopt;
-      apply_node(nodes[node], ball);
+      if (!apply_node(nodes[node], ball)) return std::nullopt;
     }
     if (node >= 0) ball.apply(sampler.still_to_world(node));
     bounds = {ball.center, glm::dvec3(ball.radius + rounding * ball.magnitude), glm::dvec3(ball.magnitude)};

@@ -53,8 +53,8 @@ void NextFrame::add_to(FramePlan& plan, bool keeps_idle_targets, ElasticShapes& 
     const std::vector<double>& weights = weights_.of(draw.object, tick);
     Draw& moved = plan.next_draws.emplace_back();
     try {
-      make_draw({scene_, next, opaque_, ids_, false}, draw.object, object_to_eye, volume.eye_to_clip * object_to_eye,
-                moved);
+      make_draw({scene_, next, opaque_, ids_, false, tick}, draw.object, object_to_eye,
+                volume.eye_to_clip * object_to_eye, moved);
       set_targets(weights, keeps_idle_targets, moved);
       if (draw.displaced)
         moved.displaced = elastic.at(draw.object, plan.frame + 1);

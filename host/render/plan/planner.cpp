@@ -24,6 +24,7 @@
 #include "host/render/plan/single_cover.hpp"
 #include "host/render/plan/transparency.hpp"
 #include "host/render/plan/view_volume.hpp"
+#include "host/scene/model/base_color.hpp"
 #include "morphcl/error.hpp"
 #include "morphcl/numerics.hpp"
 #include "morphcl/transform.hpp"
@@ -60,10 +61,11 @@ std::vector<std::optional<BoundedBox>> bounds_over_time(const Scene& scene, cons
 // What planning asks of every object that may be in view, side by side in memory.
 struct ObjectFacts {
   int mesh, node;
-  bool is_seen;     // it has something to draw, and alpha lets some of it show
-  bool is_still;    // its node never moves and it is no elastic body: only its weights may change
-  bool morphs;      // some weight has a track
-  bool is_elastic;  // an elastic body
+  bool is_seen;      // it has something to draw, and alpha lets some of it show
+  bool is_still;     // its node and colour never change and it is no elastic body: only its weights may change
+  bool morphs;       // some weight has a track
+  bool is_elastic;   // an elastic body
+  bool moves_alpha;  // it may be seen now and not then
 };
 
 std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler& nodes,
@@ -75,12 +77,15 @@ std::vector<ObjectFacts> facts_of_objects(const Scene& scene, const NodeSampler&
     const MorphWeights& weights = scene.objects[i].morph;
     const bool morphs = !weights.tracks.empty();
     // Weights decide how accurate vertices have to be.
-    const bool only_weights_change = !weights.elastic && !(morphs && scene.accuracy_pixels > 0);
-    const bool is_seen =
-        has_primitives(object, scene.meshes[object.mesh]) &&
-        transparency_of(object.material, vertex_alpha[object.mesh], scene.image.channels) != Transparency::whole;
+    const Material& material = object.material;
+    const bool only_weights_change =
+        !weights.elastic && !(morphs && scene.accuracy_pixels > 0) && material.base_color_track.empty();
+    const bool fades = moves_alpha(material);
+    const bool is_seen = has_primitives(object, scene.meshes[object.mesh]) &&
+                         (fades || transparency_of(material, material.base_color.a, vertex_alpha[object.mesh],
+                                                   scene.image.channels) != Transparency::whole);
     facts.push_back({object.mesh, object.node, is_seen, nodes.is_still(object.node) && only_weights_change, morphs,
-                     weights.elastic.has_value()});
+                     weights.elastic.has_value(), fades});
   }
   return facts;
 }
@@ -184,6 +189,7 @@ struct Planner::Impl {
   void add_light(const LightState& light, FramePlan& plan) const;
   void add_draws(const ViewVolume& volume, FramePlan& plan);
   void add_draw(std::size_t object, const ViewVolume& volume, FramePlan& plan);
+  bool has_faded(const Object& object) const;  // nothing of it shows at the tick
   std::shared_ptr<const DisplacedPositions> displaced_positions(std::size_t object, std::int64_t frame);
 
   static std::uint64_t next_number() {
@@ -215,8 +221,15 @@ struct Planner::Impl {
 void Planner::Impl::add_light(const LightState& light, FramePlan& plan) const {
   if (light.color == glm::dvec3(0.0)) return;
   const double point = light.kind == LightKind::point ? 1.0 : 0.0;
-  plan.lights.push_back({light.kind, to_array(glm::dvec3(plan.world_to_eye * glm::dvec4(light.vector, point))),
-                         to_array(light.color), light.falloff});
+  EyeLight& eye_light = plan.lights.emplace_back(
+      EyeLight{light.kind, to_array(glm::dvec3(plan.world_to_eye * glm::dvec4(light.vector, point))),
+               to_array(light.color), light.falloff});
+  if (!light.spot) return;
+  const double inner = sin_cos_degrees(light.spot->inner_cone_degrees).cos,
+               outer = sin_cos_degrees(light.spot->outer_cone_degrees).cos;
+  eye_light.beam = to_array(glm::dmat3(plan.world_to_eye) * light.spot->beam);
+  eye_light.cone_scale = to_fp32(1 / (inner - outer));
+  eye_light.cone_offset = to_fp32(-outer / (inner - outer));
 }
 
 ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
@@ -250,9 +263,16 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   return volume;
 }
 
+bool Planner::Impl::has_faded(const Object& object) const {
+  const double alpha = base_color_at(object.material, tick).a;
+  return transparency_of(object.material, alpha, vertex_alpha[object.mesh], scene.image.channels) ==
+         Transparency::whole;
+}
+
 void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume, FramePlan& plan) {
   const ObjectFacts& object = facts[object_index];
   if (!object.is_seen || !nodes.is_visible(object.node)) return;
+  if (object.moves_alpha && has_faded(scene.objects[object_index])) return;
   const bool inside = in_view.inside.contains(object_index);
   const Draw* before = object.is_still ? memory.find(static_cast<std::uint32_t>(object_index)) : nullptr;
   const std::vector<double>& targets = weights.of(object_index, tick);
@@ -271,7 +291,8 @@ void Planner::Impl::add_draw(std::size_t object_index, const ViewVolume& volume,
   try {
     Draw& draw = before ? plan.draws.emplace_back(*before) : plan.draws.emplace_back();
     if (!before)
-      make_draw({scene, plan, vertex_alpha, ids, !options.normals}, object_index, object_to_eye, object_to_clip, draw);
+      make_draw({scene, plan, vertex_alpha, ids, !options.normals, tick}, object_index, object_to_eye, object_to_clip,
+                draw);
     if (!before || object.morphs) set_targets(targets, !options.idle_targets, draw);
     if (object.is_still && !(before && same_targets(draw.targets, before->targets))) memory.replace();
     draw.displaced = displaced;

@@ -25,9 +25,8 @@ std::vector<bool> meshes_with_alpha(const Scene& scene) {
   return result;
 }
 
-Transparency transparency_of(const Material& material, bool vertex_alpha, ChannelSet channels) {
+Transparency transparency_of(const Material& material, double alpha, bool vertex_alpha, ChannelSet channels) {
   if (material.alpha_mode == AlphaMode::opaque) return Transparency::none;
-  const double alpha = material.base_color.a;
   const bool masked = material.alpha_mode == AlphaMode::mask;
   if (vertex_alpha && material.shading != Shading::wireframe)  // its lines have the base colour alone
     return alpha == 0 && !masked ? Transparency::whole : Transparency::some;

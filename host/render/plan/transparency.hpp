@@ -17,8 +17,9 @@ enum class Transparency {
 bool has_alpha(const Mesh& mesh);
 std::vector<bool> meshes_with_alpha(const Scene& scene);  // the same of each
 
-// `vertex_alpha`: of its mesh, see meshes_with_alpha(). Where no channel shows shares of surfaces, all are of what has
-// an alpha of one half and more: an object of one alpha is there or not.
-Transparency transparency_of(const Material& material, bool vertex_alpha, ChannelSet channels);
+// `alpha`: of the material's base colour at the time. `vertex_alpha`: of its mesh, see meshes_with_alpha(). Where no
+// channel shows shares of surfaces, all are of what has an alpha of one half and more: an object of one alpha is there
+// or not.
+Transparency transparency_of(const Material& material, double alpha, bool vertex_alpha, ChannelSet channels);
 
 }  // namespace morphcl

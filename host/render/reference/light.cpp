@@ -11,6 +11,13 @@ namespace {
 
 float dot_product(const glm::vec3& a, const glm::vec3& b) { return std::fma(a.x, b.x, std::fma(a.y, b.y, a.z * b.z)); }
 
+float share_of_spot(const EyeLight& light, const glm::vec3& to_light, float distance) {
+  const glm::vec3 beam(light.beam[0], light.beam[1], light.beam[2]);
+  const float cosine = -dot_product(beam, to_light) / (distance > 0.0f ? distance : 1.0f);
+  const float root = std::min(std::max(std::fma(light.cone_scale, cosine, light.cone_offset), 0.0f), 1.0f);
+  return root * root;
+}
+
 }  // namespace
 
 float difference_of_products(float a, float b, float c, float d) {
@@ -23,14 +30,15 @@ glm::vec3 lambert(const FramePlan& plan, const glm::vec3& normal, const glm::vec
   glm::vec3 sum(plan.ambient[0], plan.ambient[1], plan.ambient[2]);
   for (const EyeLight& light : plan.lights) {
     glm::vec3 to_light(light.vector[0], light.vector[1], light.vector[2]);
-    float divisor = length > 0.0f ? length : 1.0f;
+    float divisor = length > 0.0f ? length : 1.0f, share = 1.0f;
     if (light.kind == LightKind::point) {
       to_light -= position;
       const float square = dot_product(to_light, to_light), distance = std::sqrt(square);
       divisor *= light.falloff ? square * distance : distance;
+      if (light.cone_scale > 0) share = share_of_spot(light, to_light, distance);
     }
     const float cosine = std::max(dot_product(normal, to_light), 0.0f);
-    const float lit = length > 0.0f && divisor > 0.0f ? cosine / divisor : 0.0f;
+    const float lit = length > 0.0f && divisor > 0.0f ? cosine / divisor * share : 0.0f;
     for (int c = 0; c < 3; ++c) sum[c] = std::fma(light.color[c], lit, sum[c]);
   }
   return sum;

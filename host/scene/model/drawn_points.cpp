@@ -17,10 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool moves(const Scene& scene) {
   const Timeline& timeline = scene.timeline;
-  const auto node_moves = [](const Node& node) {
-    return !node.translation_track.empty() || !node.rotation_track.empty() || !node.scale_track.empty() ||
-           !node.visible_track.empty();
-  };
+  const auto node_moves = [](const Node& node) { return moves_itself(node) || !node.visible_track.empty(); };
   const auto morphs = [](const Object& object) { return !object.morph.tracks.empty(); };
   return std::any_of(timeline.nodes.begin(), timeline.nodes.end(), node_moves) ||
          std::any_of(scene.objects.begin(), scene.objects.end(), morphs);

@@ -164,22 +164,23 @@ FrameRange animation_range(const Scene& scene, std::vector<std::string>& warning
   const auto include_track = [&](const Track& track, std::int64_t ticks_after = 0) {
     if (!track.empty()) last_tick = std::max(last_tick, track.end_tick() + ticks_after);
   };
-  for (const Node& node : timeline.nodes)
-    for (const Track* track : {&node.translation_track, &node.rotation_track, &node.scale_track, &node.visible_track})
-      include_track(*track);
+  for (const Node& node : timeline.nodes) for_each_track(node, [&](const Track& track) { include_track(track); });
   for (const Object& object : scene.objects) {
     const MorphWeights& weights = object.morph;
     // An elastic object goes on until its slowest springs have settled.
     const double swinging = weights.elastic ? settling_seconds(anchor_spring(*weights.elastic)) : 0;
     for (const WeightTrack& track : weights.tracks)
       include_track(track.track, timeline.time.seconds_to_ticks(swinging));
+    include_track(object.material.base_color_track);
   }
   const Camera& camera = timeline.camera;
   for (const Track* track : {&camera.eye_track, &camera.target_track, &camera.up_track, &camera.fovy_track,
                              &camera.fovx_track, &camera.near_track, &camera.far_track})
     include_track(*track);
-  for (const Light& light : timeline.lights)
+  for (const Light& light : timeline.lights) {
     for (const Track* track : {&light.vector_track, &light.color_track}) include_track(*track);
+    if (light.spot) include_track(light.spot->target_track);
+  }
 
   const std::int64_t last = last_tick / timeline.time.ticks_per_frame();
   if (last < max_frame_count) return {.first = 0, .last = last, .step = 1};

@@ -69,6 +69,13 @@ void check_object(const Scene& scene, std::size_t index) {
     fail(fmt::format("{}: there is no alpha mode {}", name, mode));
   if (!std::isfinite(object.material.alpha_cutoff)) fail(fmt::format("{}: the alpha cutoff is not finite", name));
 
+  if (const Track& track = object.material.base_color_track; !track.empty()) {
+    if (track.width() != 3 && track.width() != 4)
+      fail(fmt::format("{}: the base colour's track has {} components; it needs 3, or 4 with alpha", name,
+                       track.width()));
+    if (track.is_rotation()) fail(fmt::format("{}: the base colour's track is one of rotations", name));
+  }
+
   if (const double width = object.material.line_width; !(width > 0 && width <= max_line_width))
     fail(fmt::format("{}: lines {} pixels wide; more than 0 to {} is possible", name, width, max_line_width));
 

@@ -83,6 +83,8 @@ constexpr Synonym synonyms[] = {
     {"translation", "transform"},
     {"rotation", "transform"},
     {"scale", "transform"},
+    {"morphtargets", "morph_to"},
+    {"morphto", "morph_to"},
     {"childof", "parent"},
     {"attachedto", "parent"},
     {"below", "parent"},

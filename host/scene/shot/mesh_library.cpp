@@ -13,6 +13,8 @@
 #include "host/scene/gltf/gltf_import.hpp"
 #include "host/scene/model/input_file.hpp"
 #include "host/scene/obj/obj_import.hpp"
+#include "host/scene/shot/formula_mesh.hpp"
+#include "host/scene/shot/morph_shapes.hpp"
 #include "host/scene/shot/nearest_name.hpp"
 #include "morphcl/error.hpp"
 
@@ -55,15 +57,51 @@ ImportedModel import_chosen(const ShotTable& table, const std::function<Imported
   }
 }
 
+// What a shape of morph_to is when it is written as a table.
+ShotTable shape_table(const ShotValue& shape) { return shape.table({"mesh", "segments", "name", "profile", "points"}); }
+
 // One text for all that decides which mesh an object gets; '\n' separates, as no file name in a shot may hold it.
 std::string request(const ShotTable& object) {
-  std::string text = object.need("mesh").text();
+  std::string text = object.need("mesh").text() + formula_text(object);
   if (const auto segments = read_segments(object)) text += fmt::format("\nsegments {} {}", segments->u, segments->v);
   for (const char* key : {"animation", "scene"})
     if (const auto wanted = read_choice(object, key)) text += fmt::format("\n{} {}", key, *wanted);
   if (const auto targets = object.find("targets"))
     for (std::size_t i = 0; i < targets->size(); ++i) text += "\ntarget " + (*targets)[i].text();
+  if (const auto shapes = object.find("morph_to"))
+    for (std::size_t i = 0; i < shapes->size(); ++i) {
+      const ShotValue shape = (*shapes)[i];
+      if (shape.is_text()) {
+        text += "\nmorph_to " + shape.text();
+        continue;
+      }
+      const ShotTable table = shape_table(shape);
+      const auto name = table.find("name");
+      text += fmt::format("\nmorph_to {} as {}", request(table), name ? name->text() : "");
+    }
   return text;
+}
+
+// What a target is called: as the table says, else as the solid, or the file without its extension.
+std::string shape_name(const ShotValue& shape) {
+  if (!shape.is_text()) {
+    const ShotTable table = shape_table(shape);
+    if (const auto name = table.find("name")) return name->text();
+    return shape_name(table.need("mesh"));
+  }
+  return is_model_file(shape.text()) ? std::filesystem::path(shape.text()).stem().string() : shape.text();
+}
+
+// One mesh, one object and one node.
+ImportedModel model_of(Mesh mesh, const std::string& name) {
+  ImportedModel model;
+  model.meshes.push_back(std::move(mesh));
+  Object part;
+  part.name = name;
+  part.morph.weights.assign(model.meshes.back().targets.size(), 0.0);
+  model.objects.push_back(part);
+  model.nodes.emplace_back();
+  return model;
 }
 
 // A path of Windows, as it is, or with a part of it read as an escape.
@@ -83,19 +121,64 @@ const ImportedModel& MeshLibrary::model(const ShotTable& object) {
   const std::string key = request(object);
   if (const auto known = models_.find(key); known != models_.end()) return known->second;
 
-  const bool built_in = find_solid(object.need("mesh").text()) != nullptr;
-  ImportedModel model = built_in ? make_built_in(object) : import_file(object);
+  ImportedModel model = make(object);
+  if (object.has("morph_to")) add_shapes(object, model);
   const int first_mesh = static_cast<int>(meshes_.size());
   for (Object& part : model.objects) part.mesh += first_mesh;
   for (Mesh& mesh : model.meshes) meshes_.push_back(std::move(mesh));
   model.meshes.clear();
+  parts_.insert(parts_.end(), model.parts.begin(), model.parts.end());
+  return models_.emplace(key, std::move(model)).first->second;
+}
+
+ImportedModel MeshLibrary::make(const ShotTable& object) {
+  const std::string& name = object.need("mesh").text();
+  refuse_other_formulas(object);
+  const bool built_in = find_solid(name) != nullptr || is_formula_mesh(name);
+  ImportedModel model = built_in ? make_built_in(object) : import_file(object);
+  take_notes(model, name);
+  return model;
+}
+
+void MeshLibrary::take_notes(const ImportedModel& model, const std::string& name) {
   inputs_.insert(inputs_.end(), model.inputs.begin(), model.inputs.end());
   warnings_.insert(warnings_.end(), model.warnings.begin(), model.warnings.end());
-  parts_.insert(parts_.end(), model.parts.begin(), model.parts.end());
   if (model.camera || !model.lights.empty())
-    warnings_.push_back(fmt::format("{}: its camera and lights are not used in a shot", object.need("mesh").text()));
+    warnings_.push_back(fmt::format("{}: its camera and lights are not used in a shot", name));
   if (!model.content_hash.empty()) hashes_.push_back(model.content_hash);
-  return models_.emplace(key, std::move(model)).first->second;
+}
+
+ImportedModel MeshLibrary::make_shape(const ShotTable& object, const ShotValue& shape) {
+  if (!shape.is_text()) return make(shape_table(shape));
+  const SolidInfo* const solid = find_solid(shape.text());
+  if (solid) {
+    const bool cut = solid->minimum.u > 0;
+    return make_solid_model(shape, cut ? read_segments(object) : std::nullopt, shape);
+  }
+  if (!is_model_file(shape.text()))
+    shape.fail(
+        fmt::format("morph_to \"{}\": a built-in solid, a .gltf, .glb or .obj file, or a table with the key mesh "
+                    "is needed",
+                    shape.text()));
+  const std::string path = existing_file(shape);
+  ImportedModel model = lower_case_extension(path) == ".obj" ? import_obj(path, limits_)
+                                                             : import_gltf(path, time_, limits_, ModelChoice{});
+  take_notes(model, shape.text());
+  return model;
+}
+
+void MeshLibrary::add_shapes(const ShotTable& object, ImportedModel& model) {
+  const ShotValue shapes = object.need("morph_to");
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const ShotValue shape = shapes[i];
+    const ImportedModel other = make_shape(object, shape);
+    if (other.meshes.size() != model.meshes.size())
+      shape.fail(fmt::format("it has {} meshes and the object {}; a morph needs the same topology", other.meshes.size(),
+                             model.meshes.size()));
+    for (std::size_t m = 0; m < model.meshes.size(); ++m)
+      add_shape(other.meshes[m], shape_name(shape), shape, model.meshes[m]);
+    for (Object& part : model.objects) part.morph.weights.push_back(0);
+  }
 }
 
 void MeshLibrary::add_to(ContentHash& hash) const {
@@ -109,19 +192,26 @@ ImportedModel MeshLibrary::make_built_in(const ShotTable& object) {
     if (const auto value = object.find(key))
       value->fail(fmt::format("{} belongs to a glTF file, not to a built-in solid", key));
   const ShotValue name = object.need("mesh");
+  if (is_formula_mesh(name.text())) {
+    ImportedModel model = model_of(read_formula_mesh(object), name.text());
+    if (name.text() == "curve") model.objects.back().material.shading = Shading::wireframe;
+    charge(static_cast<long long>(model.meshes.back().positions.size()), name);
+    return model;
+  }
   const auto segments = read_segments(object);
-  const ShotValue place = segments ? object.need("segments") : name;
-  vertices_left_ -= placed_at(place, [&] { return solid_vertices(name.text(), segments); });
+  return make_solid_model(name, segments, segments ? object.need("segments") : name);
+}
+
+void MeshLibrary::charge(long long vertices, const ShotValue& place) {
+  vertices_left_ -= vertices;
   if (vertices_left_ < 0)
     place.fail(fmt::format("the built-in solids have more than {} vertices together", max_vertices_));
-  ImportedModel model;
-  model.meshes.push_back(make_solid(name.text(), segments));
-  Object part;
-  part.name = name.text();
-  part.morph.weights.assign(model.meshes.back().targets.size(), 0.0);
-  model.objects.push_back(part);
-  model.nodes.emplace_back();
-  return model;
+}
+
+ImportedModel MeshLibrary::make_solid_model(const ShotValue& name, std::optional<Segments> segments,
+                                            const ShotValue& place) {
+  charge(placed_at(place, [&] { return solid_vertices(name.text(), segments); }), place);
+  return model_of(make_solid(name.text(), segments), name.text());
 }
 
 ImportedModel MeshLibrary::import_file(const ShotTable& object) {
@@ -129,6 +219,7 @@ ImportedModel MeshLibrary::import_file(const ShotTable& object) {
   if (!is_model_file(name.text())) {
     std::vector<std::string_view> known;
     for (const SolidInfo& solid : solids()) known.push_back(solid.name);
+    known.insert(known.end(), {"revolution", "curve", "none"});
     name.fail(fmt::format("mesh \"{}\" is neither a built-in solid nor a .gltf, .glb or .obj file{}", name.text(),
                           suggestion(name.text(), known)));
   }

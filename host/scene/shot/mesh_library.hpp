@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +23,9 @@ class MeshLibrary {
   MeshLibrary(std::string shot, const TimeBase& time, const ImportLimits& limits,
               long long max_vertices = max_solid_vertices);
 
-  // The model that the keys mesh, segments and targets of an object's table ask for. A built-in solid is a model of one
-  // mesh, one object and one node. In the model's objects, `mesh` is an index into the meshes that take_meshes returns;
-  // its own list of meshes is empty. The reference holds as long as the library does.
+  // The model that the keys mesh, segments, targets, profile, points and morph_to of an object's table ask for. A
+  // built-in solid is a model of one mesh, one object and one node. In the model's objects, `mesh` is an index into the
+  // meshes that take_meshes returns; its own list of meshes is empty. The reference holds as long as the library does.
   const ImportedModel& model(const ShotTable& object);
 
   // The camera that the keys model, name and animation of a camera's table ask for, with the nodes that move it.
@@ -39,8 +40,14 @@ class MeshLibrary {
   void add_to(ContentHash& hash) const;
 
  private:
+  ImportedModel make(const ShotTable& object);  // without its morph_to
   ImportedModel make_built_in(const ShotTable& object);
+  ImportedModel make_solid_model(const ShotValue& name, std::optional<Segments> segments, const ShotValue& place);
   ImportedModel import_file(const ShotTable& object);
+  void add_shapes(const ShotTable& object, ImportedModel& model);
+  ImportedModel make_shape(const ShotTable& object, const ShotValue& shape);
+  void charge(long long vertices, const ShotValue& place);
+  void take_notes(const ImportedModel& model, const std::string& name);
   std::string existing_file(const ShotValue& reference) const;
 
   std::string shot_;

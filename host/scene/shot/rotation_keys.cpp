@@ -31,7 +31,7 @@ double pieces(const TrackKey& a, const TrackKey& b) {
 void read_axis_angle(const ShotValue& value, TrackKey& key) {
   const ShotTable table = value.table({"axis", "degrees"});
   const ShotValue axis = table.need("axis"), degrees = table.need("degrees");
-  const AxisAngle turn{axis.vector(), degrees.number()};
+  const AxisAngle turn{axis.point(), degrees.number()};
   if (turn.axis == glm::dvec3(0.0)) axis.fail("the axis is [0, 0, 0]; it must have a direction");
   if (std::abs(turn.degrees) > max_degrees) degrees.fail(fmt::format("at most {} degrees are possible", max_degrees));
   key.turn = turn;

@@ -44,7 +44,7 @@ ViewDirection read_view(const ShotValue& value) {
 glm::dvec3 read_up(const ShotTable& table) {
   const auto up = table.find("up");
   if (!up) return {0, 1, 0};
-  const glm::dvec3 vector = up->vector();
+  const glm::dvec3 vector = up->point();
   if (vector == glm::dvec3(0.0)) up->fail("up is [0, 0, 0]; it must have a direction");
   return vector;
 }
@@ -64,7 +64,7 @@ std::optional<ViewDirection> read_direction(const ShotTable& table, const Projec
   }
   if (!direction) return std::nullopt;
   refuse("direction", {"eye"});
-  const glm::dvec3 towards_eye = direction->vector();
+  const glm::dvec3 towards_eye = direction->point();
   if (towards_eye == glm::dvec3(0.0))
     direction->fail("direction is [0, 0, 0]; it must point from the target to the eye");
   return ViewDirection{unit(towards_eye), read_up(table)};
@@ -89,7 +89,7 @@ double place_along(const ViewDirection& direction, const ShotTable& table, Camer
 double place_at_eye(const ShotTable& table, Camera& camera) {
   if (const auto distance = table.find("distance"))
     distance->fail("distance belongs to view and to axonometric projections; here eye says where the camera stands");
-  if (const auto eye = table.find("eye")) camera.eye = eye->vector();
+  if (const auto eye = table.find("eye")) camera.eye = eye->point();
   if (camera.eye == camera.target)
     (table.has("eye") ? table.need("eye") : table.need("target")).fail("eye and target are the same point");
   camera.up = read_up(table);
@@ -104,9 +104,9 @@ void read_camera_track(const ShotValue& value, bool by_direction, TrackReader& t
     Track* track;
     KeyValue kind;
   };
-  const std::array<Driven, 7> all = {{{"eye", &camera.eye_track, KeyValue::vector},
-                                      {"target", &camera.target_track, KeyValue::vector},
-                                      {"up", &camera.up_track, KeyValue::vector},
+  const std::array<Driven, 7> all = {{{"eye", &camera.eye_track, KeyValue::point},
+                                      {"target", &camera.target_track, KeyValue::point},
+                                      {"up", &camera.up_track, KeyValue::point},
                                       {"fovy_degrees", &camera.fovy_track, KeyValue::field_of_view},
                                       {"fovx_degrees", &camera.fovx_track, KeyValue::field_of_view},
                                       {"near", &camera.near_track, KeyValue::number},
@@ -177,6 +177,9 @@ ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>&
                                        "bottom",
                                        "top",
                                        "fit",
+                                       "focal_length",
+                                       "film",
+                                       "projectors",
                                        "factor",
                                        "beta_degrees",
                                        "direction_degrees",
@@ -202,7 +205,7 @@ ShotCamera read_camera(const ShotValue& value, const std::optional<std::string>&
   Camera& camera = result.camera;
   double distance = standard_distance;
   if (placed) {
-    if (const auto target = table.find("target")) camera.target = target->vector();
+    if (const auto target = table.find("target")) camera.target = target->point();
     distance = direction ? place_along(*direction, table, camera) : place_at_eye(table, camera);
   } else {
     CameraFit& fit = result.fit.emplace();

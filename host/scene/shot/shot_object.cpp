@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "host/scene/model/base_color.hpp"
 #include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
+#include "host/scene/shot/object_motion.hpp"
 #include "host/scene/shot/shot_elastic.hpp"
-#include "host/scene/shot/shot_transform.hpp"
 
 namespace morphcl {
 
@@ -73,13 +74,17 @@ bool is_group(const ShotTable& table) {
   return true;
 }
 
-// The track of a node that `name` calls, or null, and what its keys look like.
-std::pair<Track*, KeyValue> node_track(Node& node, std::string_view name) {
-  if (name == "translation") return {&node.translation_track, KeyValue::vector};
-  if (name == "rotation") return {&node.rotation_track, KeyValue::rotation};
-  if (name == "scale") return {&node.scale_track, KeyValue::vector};
-  if (name == "visible") return {&node.visible_track, KeyValue::flag};
-  return {nullptr, KeyValue::number};
+// Keys of a colour with alpha: by the first of them.
+bool have_alpha(const ShotTable& track) {
+  const ShotValue keys = track.need("keys");
+  return keys.is_array() && keys.size() > 0 && keys[0].is_array() && keys[0].size() > 1 && keys[0][1].is_array() &&
+         keys[0][1].size() == 4;
+}
+
+std::vector<std::string_view> object_targets() {
+  std::vector<std::string_view> targets = ObjectMotion::node_targets();
+  targets.insert(targets.end(), {"color", "morph.NAME"});
+  return targets;
 }
 
 }  // namespace
@@ -93,28 +98,26 @@ std::string ObjectReader::read_name(const ShotTable& table) {
 }
 
 void ObjectReader::read(const ShotValue& object) {
-  const ShotTable table = object.table({"name", "mesh", "animation", "scene", "targets", "segments", "shading", "color",
-                                        "double_sided", "line_width", "parent", "transform", "elastic", "track"});
+  const ShotTable table =
+      object.table({"name", "mesh", "animation", "scene", "targets", "morph_to", "segments", "profile", "points",
+                    "shading", "color", "double_sided", "line_width", "parent", "transform", "elastic", "track"});
   const std::string name = read_name(table);
   const bool group = is_group(table);
 
   const int root = static_cast<int>(scene_.timeline.nodes.size());
   Node node;
   node.name = name;
-  CompositeTransform transform;
-  table.for_each("transform", [&](const ShotValue& step) { read_transform_step(step, transform); });
-  node.static_transform = transform.matrix();
   scene_.timeline.nodes.push_back(std::move(node));
   if (table.has("name")) parents_.add_named(name, root);
   if (const auto parent = table.find("parent")) parents_.hang_node(*parent, root);
 
   const std::size_t first_object = scene_.objects.size();
   if (!group) add_model(table, library_.model(table), root, name);
-  std::unordered_set<std::string> driven;
-  table.for_each("track", [&](const ShotValue& track) { read_track(track, root, first_object, driven); });
+  read_tracks(table, root, first_object);
   if (const auto elastic = table.find("elastic")) make_elastic(*elastic, first_object);
   const auto color = table.find("color");
-  if (color && color->size() == 4 && (*color)[3].number() == 0) scene_.objects.resize(first_object);
+  const bool fades = first_object < scene_.objects.size() && moves_alpha(scene_.objects[first_object].material);
+  if (color && color->size() == 4 && (*color)[3].number() == 0 && !fades) scene_.objects.resize(first_object);
 }
 
 void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name) {
@@ -131,21 +134,32 @@ void ObjectReader::add_model(const ShotTable& table, const ImportedModel& model,
   }
 }
 
-void ObjectReader::read_track(const ShotValue& value, int root, std::size_t first_object,
-                              std::unordered_set<std::string>& driven) {
-  const ShotTable table = TrackReader::table(value);
-  const ShotValue target = TrackReader::target(table);
-  const std::string& name = target.text();
-  if (!driven.insert(name).second) target.fail(fmt::format("{} is driven twice", name));
-  if (std::string_view(name).substr(0, morph_prefix.size()) == morph_prefix) {
-    drive_morph(table, name.substr(morph_prefix.size()), first_object);
-    return;
+void ObjectReader::read_tracks(const ShotTable& object, int root, std::size_t first_object) {
+  Node& node = scene_.timeline.nodes[static_cast<std::size_t>(root)];
+  ObjectMotion motion(object, tracks_);
+  std::unordered_set<std::string> driven;
+  object.for_each("track", [&](const ShotValue& value) {
+    const ShotTable track = TrackReader::table(value);
+    const ShotValue target = TrackReader::target(track);
+    const std::string& name = target.text();
+    if (!driven.insert(name).second) target.fail(fmt::format("{} is driven twice", name));
+    if (name.starts_with(morph_prefix))
+      drive_morph(track, name.substr(morph_prefix.size()), first_object);
+    else if (!motion.read_track(target, track, tracks_, node) && !read_color_track(target, track, first_object))
+      target.fail(fmt::format("an object has no value \"{}\" to move{}", name, suggestion(name, object_targets())));
+  });
+  motion.finish(node);
+}
+
+bool ObjectReader::read_color_track(const ShotValue& target, const ShotTable& table, std::size_t first_object) {
+  if (target.text() != "color") return false;
+  if (first_object == scene_.objects.size()) target.fail("a group, mesh = \"none\", draws nothing; it has no color");
+  const Track track = tracks_.read(table, have_alpha(table) ? KeyValue::color_and_alpha : KeyValue::color);
+  for (std::size_t i = first_object; i < scene_.objects.size(); ++i) {
+    scene_.objects[i].material.base_color_track = track;
+    if (track.width() == 4) scene_.objects[i].material.alpha_mode = AlphaMode::blend;
   }
-  const auto [track, kind] = node_track(scene_.timeline.nodes[static_cast<std::size_t>(root)], name);
-  if (!track)
-    target.fail(fmt::format("an object has no value \"{}\" to move{}", name,
-                            suggestion(name, {"morph.NAME", "translation", "rotation", "scale", "visible"})));
-  *track = tracks_.read(table, kind);
+  return true;
 }
 
 void ObjectReader::make_elastic(const ShotValue& value, std::size_t first_object) {

@@ -27,7 +27,8 @@ class ObjectReader {
  private:
   std::string read_name(const ShotTable& table);
   void add_model(const ShotTable& table, const ImportedModel& model, int root, const std::string& name);
-  void read_track(const ShotValue& track, int root, std::size_t first_object, std::unordered_set<std::string>& driven);
+  void read_tracks(const ShotTable& object, int root, std::size_t first_object);
+  bool read_color_track(const ShotValue& target, const ShotTable& track, std::size_t first_object);
   void make_elastic(const ShotValue& elastic, std::size_t first_object);
   void drive_morph(const ShotTable& track, const std::string& target, std::size_t first_object);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/scene/shot/nearest_name.hpp"
+#include "morphcl/numerics.hpp"
 
 namespace morphcl {
 
@@ -35,6 +36,8 @@ const std::vector<KeyUse>& key_uses() {
   static const std::vector<KeyUse> uses = {
       {"fovy_degrees", {"perspective"}},
       {"fovx_degrees", {"perspective"}},
+      {"focal_length", {"perspective"}},
+      {"film", {"perspective"}},
       {"left", windows},
       {"right", windows},
       {"bottom", windows},
@@ -42,6 +45,7 @@ const std::vector<KeyUse>& key_uses() {
       {"fit", windows},
       {"factor", {"oblique"}},
       {"beta_degrees", {"oblique"}},
+      {"projectors", {"oblique"}},
       {"direction_degrees", {"oblique", "cavalier", "cabinet"}},
       {"ratios", {"dimetric", "trimetric"}},
       {"axis_angles_degrees", {"trimetric"}},
@@ -102,7 +106,10 @@ Fit read_fit(const ShotValue& value) {
   if (name == "stretch") return Fit::stretch;
   if (name == "widen") return Fit::widen;
   if (name == "crop") return Fit::crop;
-  value.fail(fmt::format("unknown fit \"{}\"{}", name, suggestion(name, {"stretch", "widen", "crop"})));
+  if (name == "adjust_x") return Fit::adjust_x;
+  if (name == "adjust_y") return Fit::adjust_y;
+  value.fail(fmt::format("unknown fit \"{}\"{}", name,
+                         suggestion(name, {"stretch", "widen", "crop", "adjust_x", "adjust_y"})));
 }
 
 template <typename SixPlanes>
@@ -120,7 +127,33 @@ void read_window(const ShotTable& table, SixPlanes& planes) {
   if (const auto fit = table.find("fit")) planes.fit = read_fit(*fit);
 }
 
+// [width, height] of the film, in the unit of the focal length.
+glm::dvec2 read_film(const ShotTable& table) {
+  const auto film = table.find("film");
+  if (!film) return {36, 24};
+  if (!film->is_array() || film->size() != 2) film->fail("film must be two numbers: [width, height]");
+  return {(*film)[0].positive(), (*film)[1].positive()};
+}
+
+// The lens of a camera with a film: the field of view is that of the film's height, 2 atan(h / 2f).
+Perspective read_lens(const ShotTable& table) {
+  for (const char* key : {"fovy_degrees", "fovx_degrees"}) refuse_both(table, "focal_length", key);
+  const double focal_length = table.need("focal_length").positive(), half = 0.5 * read_film(table).y;
+  Perspective lens;
+  lens.fovy_degrees = 2 * degrees(arc_tangent(half, focal_length));
+  if (!(lens.fovy_degrees > 0 && lens.fovy_degrees < 180))
+    table.need("focal_length")
+        .fail(fmt::format("focal_length is {} and half of the film {}: no field of view", focal_length, half));
+  return lens;
+}
+
 Projection read_perspective(const ShotTable& table, bool placed) {
+  if (table.has("focal_length")) {
+    Perspective lens = read_lens(table);
+    read_near_far(table, {true, placed}, lens.near, lens.far);
+    return lens;
+  }
+  if (const auto film = table.find("film")) film->fail("film belongs to a focal_length; give both");
   refuse_both(table, "fovy_degrees", "fovx_degrees");
   if (const auto fovx = table.find("fovx_degrees")) {
     HorizontalPerspective perspective;
@@ -146,8 +179,13 @@ ObliqueShear read_shear(const ShotTable& table, std::string_view kind) {
   read_number(table, "direction_degrees", direction_degrees);
   if (kind != "oblique") return oblique_shear(direction_degrees, factor);
   refuse_both(table, "factor", "beta_degrees");
+  if (const auto projectors = table.find("projectors")) {
+    for (const char* key : {"factor", "beta_degrees", "direction_degrees"}) refuse_both(table, "projectors", key);
+    return placed_at(*projectors, [&] { return oblique_shear_along(projectors->point()); });
+  }
   if (!table.has("factor") && !table.has("beta_degrees"))
-    table.value().fail("an oblique projection needs a factor, or beta_degrees: 1 or 45 is cavalier, 0.5 is cabinet");
+    table.value().fail(
+        "an oblique projection needs a factor, beta_degrees or projectors: 1 or 45 is cavalier, 0.5 is cabinet");
   return placed_at(place_for(table, "factor", "beta_degrees"), [&] {
     if (const auto beta = table.find("beta_degrees")) factor = oblique_factor(beta->number());
     read_number(table, "factor", factor);

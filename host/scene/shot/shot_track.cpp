@@ -19,17 +19,32 @@ namespace morphcl {
 namespace {
 
 std::size_t width(KeyValue kind) {
-  if (kind == KeyValue::rotation) return 4;
-  return kind == KeyValue::vector || kind == KeyValue::color ? 3 : 1;
+  if (kind == KeyValue::rotation || kind == KeyValue::color_and_alpha) return 4;
+  return kind == KeyValue::point || kind == KeyValue::factor || kind == KeyValue::color ? 3 : 1;
 }
 
 KeyComponents components(const glm::dvec3& v) { return {v.x, v.y, v.z, 0}; }
 
 KeyComponents read_tangent(const ShotValue& value, KeyValue kind) {
   if (width(kind) == 1) return {value.number()};
+  if (kind == KeyValue::factor) return components(value.factor());
   if (width(kind) == 3) return components(value.vector());
-  if (!value.is_array() || value.size() != 4) value.fail("a tangent of a rotation is four numbers: [x, y, z, w]");
+  const char* form = kind == KeyValue::rotation ? "a tangent of a rotation is four numbers: [x, y, z, w]"
+                                                : "a tangent of a color with alpha is four numbers";
+  if (!value.is_array() || value.size() != 4) value.fail(form);
   return {value[0].number(), value[1].number(), value[2].number(), value[3].number()};
+}
+
+KeyComponents read_color_and_alpha(const ShotValue& value) {
+  if (!value.is_array() || value.size() != 4)
+    value.fail("where one key has alpha all have it: [red, green, blue, alpha]");
+  KeyComponents color{};
+  for (std::size_t c = 0; c < color.size(); ++c) {
+    color[c] = value[c].number();
+    if (color[c] < 0 || (c == 3 && color[c] > 1))
+      value[c].fail(fmt::format("color holds {}; {} is needed", color[c], c == 3 ? "0 to 1" : "0 or more"));
+  }
+  return color;
 }
 
 void read_value(const ShotValue& value, KeyValue kind, TrackKey& key) {
@@ -43,11 +58,17 @@ void read_value(const ShotValue& value, KeyValue kind, TrackKey& key) {
     case KeyValue::field_of_view:
       key.value = {value.field_of_view()};
       break;
-    case KeyValue::vector:
-      key.value = components(value.vector());
+    case KeyValue::point:
+      key.value = components(value.point());
+      break;
+    case KeyValue::factor:
+      key.value = components(value.factor());
       break;
     case KeyValue::color:
       key.value = components(value.color());
+      break;
+    case KeyValue::color_and_alpha:
+      key.value = read_color_and_alpha(value);
       break;
     case KeyValue::rotation:
       read_rotation(value, key);
@@ -77,8 +98,8 @@ TrackKey read_key(const ShotValue& source, KeyValue kind, Interpolation interpol
   return key;
 }
 
-std::vector<TrackKey> read_keys(const ShotValue& list, KeyValue kind, Interpolation interpolation,
-                                const TimeBase& time) {
+std::vector<TrackKey> read_track_keys(const ShotValue& list, KeyValue kind, Interpolation interpolation,
+                                      const TimeBase& time) {
   std::vector<TrackKey> keys;
   keys.reserve(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -121,12 +142,6 @@ double read_within(const ShotValue& value, double min, double max, const char* u
   return number;
 }
 
-// How the values between keys are found, and the spring that follows them, where there is one.
-struct Motion {
-  Interpolation keys = Interpolation::linear;
-  std::optional<Spring> spring;
-};
-
 Motion read_motion(const ShotTable& track, KeyValue kind) {
   const auto given = track.find("interpolation");
   const Interpolation interpolation = given                    ? key_rule(*given, {"step", "linear", "cubic", "spring"})
@@ -156,11 +171,23 @@ void TrackReader::charge_keys(const ShotValue& at, std::size_t count) {
 
 Track TrackReader::read(const ShotTable& track, KeyValue kind, double factor) {
   const Motion motion = read_motion(track, kind);
+  return read_list(track.need("keys"), motion, kind, factor);
+}
+
+bool TrackReader::are_keys(const ShotValue& value) {
+  return value.has("keys") || (value.is_array() && value.size() > 0 && value[0].is_array());
+}
+
+Track TrackReader::read_keys(const ShotValue& value, KeyValue kind) {
+  if (value.is_array()) return read_list(value, {}, kind, 1);
+  return read(value.table({"interpolation", "frequency", "damping_ratio", "follows", "keys"}), kind);
+}
+
+Track TrackReader::read_list(const ShotValue& list, const Motion& motion, KeyValue kind, double factor) {
   const Interpolation interpolation = motion.keys;
   const bool cubic = interpolation == Interpolation::cubic, rotation = kind == KeyValue::rotation;
-  const ShotValue list = track.need("keys");
   charge_keys(list, list.size());
-  std::vector<TrackKey> keys = read_keys(list, kind, interpolation, time_);
+  std::vector<TrackKey> keys = read_track_keys(list, kind, interpolation, time_);
   if (rotation && interpolation == Interpolation::linear) {
     charge_keys(list, keys_for_turns(keys, keys_left_));
     insert_turns(keys);

@@ -1,6 +1,9 @@
 // The [[object.track]], [[camera.track]] and [[light.track]] tables of a shot file.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "host/scene/shot/shot_value.hpp"
 #include "morphcl/track.hpp"
 
@@ -9,12 +12,20 @@ namespace morphcl {
 // What the value of a key looks like.
 enum class KeyValue {
   number,
-  positive,       // a number > 0
-  field_of_view,  // degrees, more than 0 and less than 180
-  vector,         // [x, y, z]
-  color,          // [r, g, b], each >= 0
-  rotation,       // a quaternion [x, y, z, w], or { axis = [x, y, z], degrees = d }
-  flag,           // true or false; always a step track, of width 1
+  positive,         // a number > 0
+  field_of_view,    // degrees, more than 0 and less than 180
+  point,            // [x, y, z], or other coordinates: what is between keys is on the way straight from one to the next
+  factor,           // [x, y, z], or one number for all three
+  color,            // [r, g, b], each >= 0
+  color_and_alpha,  // [r, g, b, alpha], alpha from 0 to 1
+  rotation,         // a quaternion [x, y, z, w], or { axis = [x, y, z], degrees = d }
+  flag,             // true or false; always a step track, of width 1
+};
+
+// How the values between keys are found, and the spring that follows them, where there is one.
+struct Motion {
+  Interpolation keys = Interpolation::linear;
+  std::optional<Spring> spring = std::nullopt;
 };
 
 // Reads tracks, and counts the keys of the whole shot.
@@ -36,7 +47,13 @@ class TrackReader {
   // Rotations: see rotation_keys.hpp.
   Track read(const ShotTable& track, KeyValue kind, double factor = 1);
 
+  // Keys in the place of a constant: a list of them, which are linear, or a table that says what a track says but for
+  // its target.
+  static bool are_keys(const ShotValue& value);
+  Track read_keys(const ShotValue& value, KeyValue kind);
+
  private:
+  Track read_list(const ShotValue& list, const Motion& motion, KeyValue kind, double factor);
   void charge_keys(const ShotValue& at, std::size_t count);
 
   TimeBase time_;

@@ -1,12 +1,13 @@
 // The [[object.transform]] tables of a shot file.
 #pragma once
 
+#include "host/scene/shot/shot_track.hpp"
 #include "host/scene/shot/shot_value.hpp"
-#include "morphcl/transform.hpp"
+#include "morphcl/animated_transform.hpp"
 
 namespace morphcl {
 
-// Appends the step that `step`, a table with exactly one key, names.
-void read_transform_step(const ShotValue& step, CompositeTransform& transform);
+// Adds the step of the table, of which any number may have keys in its place.
+void read_transform_step(const ShotValue& step, TrackReader& tracks, AnimatedTransform& transform);
 
 }  // namespace morphcl

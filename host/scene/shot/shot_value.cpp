@@ -11,6 +11,7 @@
 #include "host/scene/shot/color_hint.hpp"
 #include "host/scene/shot/key_hint.hpp"
 #include "host/scene/shot/nearest_name.hpp"
+#include "host/scene/shot/shot_coordinates.hpp"
 
 namespace morphcl {
 
@@ -99,6 +100,10 @@ glm::dvec3 ShotValue::vector() const {
   return {(*this)[0].number(), (*this)[1].number(), (*this)[2].number()};
 }
 
+glm::dvec3 ShotValue::point() const { return is_table() ? read_coordinates(*this) : vector(); }
+
+glm::dvec3 ShotValue::factor() const { return is_number() ? glm::dvec3(number()) : vector(); }
+
 glm::dvec3 ShotValue::color() const {
   refuse_color_text(*this);
   if (!is_array() || size() != 3) fail(fmt::format("{} must be three numbers: [red, green, blue]", name_));
@@ -107,6 +112,11 @@ glm::dvec3 ShotValue::color() const {
     if (color[c] < 0)
       (*this)[static_cast<std::size_t>(c)].fail(fmt::format("{} holds {}; 0 or more is needed", name_, color[c]));
   return color;
+}
+
+bool ShotValue::has(std::string_view key) const {
+  const auto* const table = std::get_if<TomlValue::Table>(&value_->data);
+  return table && std::ranges::any_of(*table, [key](const TomlEntry& entry) { return entry.key == key; });
 }
 
 std::size_t ShotValue::size() const {

@@ -36,6 +36,8 @@ class ShotValue {
   const std::string& text() const;
   bool choose(const char* no, const char* yes) const;  // the text is one of the two: whether it is `yes`
   glm::dvec3 vector() const;                           // [x, y, z]
+  glm::dvec3 point() const;                            // [x, y, z] or other coordinates (shot_coordinates.hpp)
+  glm::dvec3 factor() const;                           // [x, y, z], or one number for all three
   glm::dvec3 color() const;                            // [r, g, b], each >= 0
   bool is_array() const { return std::holds_alternative<TomlValue::Array>(value_->data); }
   bool is_table() const { return std::holds_alternative<TomlValue::Table>(value_->data); }
@@ -45,6 +47,7 @@ class ShotValue {
   bool is_text() const { return std::holds_alternative<std::string>(value_->data); }
   bool is_boolean() const { return std::holds_alternative<bool>(value_->data); }
 
+  bool has(std::string_view key) const;                                       // whether it is a table with the key
   std::size_t size() const;                                                   // of an array
   ShotValue operator[](std::size_t index) const;                              // of an array; bears the array's name
   ShotTable table(std::initializer_list<std::string_view> known_keys) const;  // refuses any other key
