@@ -74,6 +74,10 @@ CLI::Option* add_scene_options(CLI::App& command, SceneOptions& scene) {
   image("--depth-buffer", scene.depth_buffer,
         "What decides which surface is nearest: reversed_float, float, fixed16, fixed24, fixed32; default: the shot's")
       ->type_name("NAME");
+  image("--visibility", scene.visibility,
+        "How hidden surfaces are found: z-buffer, painter, bsp, warnock, watkins. The pixels are the same; the others "
+        "take one sample a pixel and are drawn by the reference renderer (docs/visibility.md); default: the shot's")
+      ->type_name("METHOD");
   image("--z-error", scene.z_error,
         "Relative error that Z of EXR frames is rounded within, so that it compresses: above 0, at most 0.1; default: "
         "the shot's, none for a model")
@@ -126,6 +130,15 @@ void add_plan_option(CLI::App& command, bool& leave_out) {
       ->group("Plan");
 }
 
+void add_explain_option(CLI::App& command, std::string& folder) {
+  command
+      .add_option("--explain", folder,
+                  "What the frame's hidden-surface method did (--visibility): numbers, lists and pictures of windows, "
+                  "sample spans, tree or order, and the depth of overdraw (docs/visibility.md)")
+      ->type_name("DIR")
+      ->group("Report");
+}
+
 void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   CLI::App& command = *app.add_subcommand("render", "Render frames into OpenEXR or PNG files");
   add_scene_options(command, options.scene)->required();
@@ -166,6 +179,7 @@ void add_render(CLI::App& app, RenderOptions& options, Action& action) {
   add_renderer_option(command, options.device.device);
   add_threads_option(command, options.device.threads);
   add_plan_option(command, options.leave_out);
+  add_explain_option(command, options.explain);
   add_json_flag(command, options.json);
   command.add_flag("-q,--quiet", options.quiet, "No progress, no closing line; errors stay")->group("Report");
   command.footer(examples_of("render"));
@@ -179,6 +193,7 @@ void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
       ->type_name("N")
       ->group("Time");
   add_plan_option(command, options.leave_out);
+  add_explain_option(command, options.explain);
   add_json_flag(command, options.json);
   command.footer(examples_of("plan"));
   command.callback([&] { action = [&] { return plan_command(options); }; });

@@ -24,7 +24,8 @@ constexpr std::array<Examples, 8> all_examples{{
   morphcl render demos/teapots.toml --frames 0,40,80 --size 320x180 -o out/pots.####.exr --contact-sheet pots.png)"},
     {"plan", R"(
   morphcl plan demos/pyramid_to_cube.toml --frame 57
-  morphcl plan demos/teapots.toml --channels RGBA --json)"},
+  morphcl plan demos/teapots.toml --channels RGBA --json
+  morphcl plan demos/solids.toml --frame 40 --size 320x180 --visibility warnock --explain out/warnock)"},
     {"compare", R"(
   morphcl compare demos/pyramid_to_cube.toml --frames 0-100x50 --size 320x180
   morphcl compare demos/pyramid_to_cube.toml --frame 10 --size 320x180 --truth grid --out out/error

@@ -177,4 +177,15 @@ void set_depth_buffer(const std::string& name, ImageSettings& image) {
   image.depth_format = *format;
 }
 
+void set_visibility(const std::string& name, ImageSettings& image) {
+  const auto method = visibility_method_named(name);
+  if (!method) {
+    std::vector<std::string_view> names;
+    for (const VisibilityMethod known : visibility_methods) names.push_back(name_of(known));
+    throw Error(ErrorKind::usage, "--visibility",
+                fmt::format("'{}' is no visibility method{}", name, suggestion(name, names)));
+  }
+  image.visibility = *method;
+}
+
 }  // namespace morphcl::cli

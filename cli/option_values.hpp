@@ -23,6 +23,7 @@ void set_channel_names(const std::string& text, ImageSettings& image);  // "plai
 void set_compression(const std::string& name, ImageSettings& image);    // one of compression_names()
 void set_samples(const std::string& text, ImageSettings& image);        // "1", "2", "4", "8" or "16"
 void set_depth_buffer(const std::string& name, ImageSettings& image);   // the name of one of depth_formats
+void set_visibility(const std::string& name, ImageSettings& image);     // the name of one of visibility_methods
 // "1e-6": above 0, at most max_relative_error (max_absolute_error of N), and the image has Z, P or N. set_channels()
 // without the channel takes it back.
 void set_z_error(const std::string& text, ImageSettings& image);

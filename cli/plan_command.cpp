@@ -4,6 +4,7 @@
 
 #include "cli/console.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/explain_method.hpp"
 #include "cli/json_object.hpp"
 #include "cli/table.hpp"
 #include "host/render/auto/first_situation.hpp"
@@ -33,6 +34,7 @@ struct Drawing {
   Situation first;
   Choice at_once, later;
   std::size_t frames;
+  VisibilityMethod method;
 };
 
 Drawing drawing_of(const Scene& scene, const Plan& plan) {
@@ -40,7 +42,9 @@ Drawing drawing_of(const Scene& scene, const Plan& plan) {
   const Situation first = first_situation(*plan, static_cast<std::int64_t>(frames.size()), {});
   Situation later = first;
   later.frames_drawn = 1;
-  return {first, choose(first), choose(later), frames.size()};
+  if (plan->visibility != VisibilityMethod::z_buffer)
+    return {first, Choice::reference, Choice::reference, frames.size(), plan->visibility};
+  return {first, choose(first), choose(later), frames.size(), plan->visibility};
 }
 
 const char* choice_name(Choice choice) {
@@ -57,6 +61,8 @@ const char* choice_name(Choice choice) {
 }
 
 std::string drawing_words(const Drawing& drawing) {
+  if (drawing.method != VisibilityMethod::z_buffer)
+    return fmt::format("the reference draws all frames: devices do not know visibility {}", name_of(drawing.method));
   const Situation& first = drawing.first;
   const std::string costs =
       fmt::format("{:.3g} ms a frame by the reference, {:.3g} by the device, which is ready after {:.2g} s{}",
@@ -122,7 +128,8 @@ int plan_command(const PlanOptions& options) {
   const Scene scene = open_scene(options.scene);
   const std::int64_t frame = options.frame ? *options.frame : frame_numbers(scene.frames).front();
   const morphcl::PlanOptions what{.leave_out = options.leave_out};
-  const PlanReport report = explain(Planner(scene, what), frame);
+  const Planner planner(scene, what);
+  const PlanReport report = explain(planner, frame);
   const std::optional<std::size_t> limit = allocation_limit();
   const Drawing drawing = drawing_of(scene, report.plan);
   const std::string exceeded = limit ? exceeded_limit(report.memory, *limit) : "";
@@ -130,6 +137,7 @@ int plan_command(const PlanOptions& options) {
     print_json(report, exceeded, drawing);
   else
     print_table(scene, report, exceeded, drawing);
+  if (!options.explain.empty()) explain_method(planner, frame, options.explain, options.json);
   return exit_done;
 }
 

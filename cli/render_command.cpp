@@ -1,10 +1,14 @@
 #include "cli/render_command.hpp"
 
+#include <fmt/core.h>
+
 #include <future>
 #include <optional>
 #include <system_error>
 
 #include "cli/console.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/explain_method.hpp"
 #include "cli/frames_in_work.hpp"
 #include "cli/option_values.hpp"
 #include "cli/render_report.hpp"
@@ -40,6 +44,17 @@ void check_options_of_format(const RenderOptions& options, FrameFormat format) {
   if (options.scene.channels) set_channels(*options.scene.channels, asked);
   if (options.scene.channels && !(asked.channels - ChannelSet{Channel::color}).empty())
     refuse("--channels", "PNG frames hold RGBA alone; --channels RGBA, or an output that ends in .exr");
+}
+
+// Devices draw by z-buffer; other methods leave nothing to choose from.
+DeviceOptions device_of_method(const DeviceOptions& asked, VisibilityMethod method) {
+  if (method == VisibilityMethod::z_buffer || asked.device == reference_name) return asked;
+  if (asked.device != auto_name)
+    throw Error(ErrorKind::usage, "--device",
+                fmt::format("a device draws by z-buffer; visibility {} is the reference renderer's: --device {}, or "
+                            "--visibility z-buffer",
+                            name_of(method), reference_name));
+  return {.device = reference_name, .threads = asked.threads};
 }
 
 }  // namespace
@@ -82,7 +97,7 @@ int render_command(const RenderOptions& options) {
   job.stop = &stop_requested();
   total = job.frames.size();
 
-  const OpenedRenderer opened = open_renderer(options.device);
+  const OpenedRenderer opened = open_renderer(device_of_method(options.device, scene.image.visibility));
   job.threads = opened.threads;
   RenderReport::Settings settings;
   settings.device = opened.device_name;
@@ -111,6 +126,13 @@ int render_command(const RenderOptions& options) {
     if (programs_stored.valid()) programs_stored.wait();
     opened.store_programs();  // of stages that no earlier frame needed; costs nothing when there are none
     opened.warn_of_cache();
+  }
+  if (!options.explain.empty() && code == exit_done) {
+    const Planner planner(scene, job.plan);
+    for (const std::int64_t frame : job.frames) {
+      if (stop_requested()) return exit_interrupted;
+      explain_method(planner, frame, options.explain, options.json);
+    }
   }
   return code;
 }

@@ -15,6 +15,7 @@ struct RenderOptions {
   std::optional<std::string> pattern;   // absent: NAME.####.exr
   std::optional<std::string> png_bits;  // "8", "16"; absent: 8
   std::optional<std::string> frames;    // absent: the shot's range
+  std::string explain;                  // folder for what the hidden-surface method did; "" none
   std::string contact_sheet;            // PNG of all frames; "" none
   std::optional<std::string> exposure;  // "-1.5"; absent: 0
   bool preview = false;                 // a PNG beside each frame

@@ -20,6 +20,7 @@ void set_image(const SceneOptions& options, ImageSettings& image) {
   if (options.p_error) set_p_error(*options.p_error, image);
   if (options.n_error) set_n_error(*options.n_error, image);
   if (options.samples) set_samples(*options.samples, image);
+  if (options.visibility) set_visibility(*options.visibility, image);
 }
 
 // What each may be alone and both cannot be together; the shot has said what it can of its own.
@@ -28,6 +29,15 @@ void check_compression_of_channels(const SceneOptions& options, const ImageSetti
     if (options.compression || options.channels) check_compression(image.compression, image.channels);
   } catch (const Error& error) {
     throw error.at(options.compression ? "--compression" : "--channels");
+  }
+}
+
+// The shot has said what it can of its own.
+void check_visibility_of_samples(const SceneOptions& options, const ImageSettings& image) {
+  try {
+    if (options.visibility || options.samples) check_visibility(image);
+  } catch (const Error& error) {
+    throw error.at(options.visibility ? "--visibility" : "--samples");
   }
 }
 
@@ -55,6 +65,7 @@ Scene open_scene(const SceneOptions& options) {
   Scene scene = load_scene(options.path, load);
   set_image(options, scene.image);
   check_compression_of_channels(options, scene.image);
+  check_visibility_of_samples(options, scene.image);
   return scene;
 }
 

@@ -17,6 +17,7 @@ struct SceneOptions {
   std::optional<std::string> compression;               // "zip"
   std::optional<std::string> samples;                   // "4"
   std::optional<std::string> depth_buffer;              // "fixed24"
+  std::optional<std::string> visibility;                // "painter"
   std::optional<std::string> z_error, p_error;          // "1e-6"
   std::optional<std::string> n_error;                   // "1e-3"
   std::optional<std::string> fps;                       // "25", "30000/1001"

@@ -151,7 +151,7 @@ class SceneHasher {
   }
   void add(const ImageSettings& image) {
     const auto& [width, height, channels, channel_names, compression, depth_format, background, samples, z_error,
-                 p_error, n_error] = image;
+                 p_error, n_error, visibility] = image;  // the last changes no pixel
     add_all(width, height, image.has_color(), image.has_depth(), std::string_view(compression), depth_format,
             background.has_value());
     if (background) add_all(background->top, background->bottom);

@@ -58,14 +58,18 @@ bool is_seen_before(const std::vector<FlatPolygon>& polygons, int challenger, in
 
 // ---- hidden surfaces ------------------------------------------------------------------------------------------------
 //
-// Three ways to the same picture: the one that a z-buffer gives, pixel for pixel.
+// Four ways to the same picture: the one that a z-buffer gives, pixel for pixel. They are the code that draws frames
+// (visibility.hpp), here with exact depths.
 
-// Painter's algorithm: back to front by a BSP tree (Fuchs, Kedem and Naylor 1980), which splits what has no order.
-// Error(usage) for more than 4096 polygons.
+// Painter's algorithm (Newell, Newell and Sancha 1972): from back to front; what overlaps in a circle or cuts each
+// other is split. Error(bad_input) where that needs more than max_visibility_pieces (visibility.hpp).
 PolygonPicture painted_picture(const std::vector<FlatPolygon>& polygons, int width, int height);
 
+// The order of a BSP tree (Fuchs, Kedem and Naylor 1980). Errors as those of painted_picture().
+PolygonPicture bsp_picture(const std::vector<FlatPolygon>& polygons, int width, int height);
+
 // Warnock (1969): a square window of 2^k pixels is divided in four until one polygon hides all others in it, or none is
-// left, or it is one pixel. Windows are half-open and whole pixels, so they never lose or share one.
+// left, or one alone, or it is one pixel. Windows are half-open and whole pixels, so they never lose or share one.
 PolygonPicture warnock_picture(const std::vector<FlatPolygon>& polygons, int width, int height);
 
 // Watkins (1970): line by line; between the ends of the polygons' spans the nearest at both ends is the nearest in

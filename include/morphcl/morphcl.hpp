@@ -38,3 +38,4 @@
 #include "morphcl/transform.hpp"
 #include "morphcl/transform_2d.hpp"
 #include "morphcl/version.hpp"
+#include "morphcl/visibility.hpp"

@@ -17,6 +17,7 @@
 #include "morphcl/timeline.hpp"
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
+#include "morphcl/visibility.hpp"
 
 #pragma GCC visibility push(default)
 namespace morphcl {
@@ -97,10 +98,14 @@ struct ImageSettings {
   double z_error = 0;
   double p_error = 0;  // the same of each component of P, relative to itself (round_position()), beside P
   double n_error = 0;  // of each component of N, absolute, at most max_absolute_error (round_normal()), beside N
+  VisibilityMethod visibility = VisibilityMethod::z_buffer;  // others take one sample a pixel; the same pixels
 
   bool has_color() const { return channels.contains(Channel::color); }
   bool has_depth() const { return channels.contains(Channel::depth); }
 };
+
+// Error(usage) where another method than the z-buffer is to find what several samples a pixel show.
+void check_visibility(const ImageSettings& image);
 
 // Something of which a model file may hold several; one is used. Animations that move different things are used
 // together.

@@ -88,6 +88,7 @@ TEST_F(JsonFields, AreThoseOfTheDocumentation) {
   read({"render", "shot.toml", "-o", "f.####.exr", "--device", "reference", "--json"});
   read({"render", "shot.toml", "-o", "f.####.png", "--device", "reference", "--json"});
   read({"plan", "shot.toml", "--json"});
+  read({"plan", "shot.toml", "--visibility", "painter", "--explain", "explained", "--json"});
   read({"compare", "shot.toml", "--frames", "0", "--device", "reference", "--json"});
   read({"compare", "shot.toml", "--frames", "0", "--truth", "coverage", "--json"});
   read({"devices", "--json"});

@@ -48,6 +48,7 @@ TEST_F(Usage, SamplesThatAreNoPattern) {
   for (const char* samples : {"3", "0", "32", "-4", "4x", ""})
     expect_usage_error({"--samples", samples}, "1, 2, 4, 8 or 16");
 }
+TEST_F(Usage, UnknownVisibility) { expect_usage_error({"--visibility", "raster"}, "z-buffer"); }
 TEST_F(Usage, UnknownDepthBuffer) { expect_usage_error({"--depth-buffer", "stencil"}, "fixed24"); }
 TEST_F(Usage, ZErrorZero) { expect_usage_error({"--z-error", "0"}, "--z-error: '0' is no relative error of Z"); }
 TEST_F(Usage, ZErrorNegative) { expect_usage_error({"--z-error=-1e-6"}, "above 0 and of at most 0.1, such as 1e-6"); }

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <random>
@@ -206,6 +207,8 @@ void look_into_naive_windows(const PolygonPicture& truth, int x, int y, int widt
                               out);
 }
 
+TEST(ExtremeCase, BspTree) { expect_the_z_buffers_picture(bsp_picture); }
+
 TEST(ExtremeCase, Warnock) {
   expect_the_z_buffers_picture(warnock_picture);
   // 250 pixels halve to 62.5; a slanted polygon in front of another makes windows of all sizes.
@@ -278,6 +281,34 @@ TEST(ExtremeCase, Watkins) {
     std::printf("pixels of 40,000 that adding up gets wrong: %d\n", of_picture);
   }
   EXPECT_GT(wrong, 0) << "the naive form meets the demand";
+}
+
+// Every pixel's polygon by integers alone.
+PolygonPicture exact_picture(const Polygons& polygons, int width, int height) {
+  PolygonPicture picture(width, height);
+  for (int i = 0; i < static_cast<int>(polygons.size()); ++i)
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column) {
+        int& held = picture.at(column, row);
+        if (covers(polygons[static_cast<std::size_t>(i)], column, row) &&
+            is_seen_before(polygons, i, held, column, row))
+          held = i;
+      }
+  return picture;
+}
+
+TEST(HiddenSurfaces, RandomScenesOf256Pixels) {
+  const bool all = std::getenv("MORPHCL_LONG_TESTS") != nullptr;
+  const int scenes = all ? 1000 : 20;
+  for (int seed = 0; seed < scenes; ++seed) {
+    // From a few polygons over most of the picture to many that are small; some lie in one plane, many cut each other.
+    const Polygons polygons =
+        random_polygons(1000 + static_cast<unsigned>(seed), 5 + seed % 40, seed % 3 == 0 ? 120 : 512);
+    const PolygonPicture expected = exact_picture(polygons, 256, 256);
+    for (const Algorithm algorithm : {painted_picture, bsp_picture, warnock_picture, watkins_picture})
+      ASSERT_EQ(algorithm(polygons, 256, 256).polygon, expected.polygon) << "scene " << seed;
+  }
+  std::printf("%d scenes of 256 x 256 pixels by 4 methods: no pixel differs\n", scenes);
 }
 
 TEST(HiddenSurfaces, SheetOfTrianglesLeavesNoPixelOutAndSharesNone) {

@@ -108,8 +108,11 @@ class Turns : public AutoRenderer {
   static constexpr std::uint64_t driver_memory = std::uint64_t{110} << 20;  // as the device renderer has it
 
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
-    while (!draw_as_chosen(plan, frame)) {
-    }
+    if (plan.visibility != VisibilityMethod::z_buffer)
+      draw_by_reference(plan, frame);
+    else
+      while (!draw_as_chosen(plan, frame)) {
+      }
     ++drawn_;
     if (expected_) expected_ = std::max<std::int64_t>(*expected_ - 1, 0);
   }

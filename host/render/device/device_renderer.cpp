@@ -61,6 +61,10 @@ class DeviceRenderer : public Renderer {
 
  private:
   void draw(const FramePlan& plan, FrameBuffer& frame) override {
+    if (plan.visibility != VisibilityMethod::z_buffer)
+      throw Error(
+          ErrorKind::usage, "",
+          fmt::format("devices draw by z-buffer; visibility {} is the reference renderer's", name_of(plan.visibility)));
     depth_format_ = plan.depth_format;
     blends_ = plan.blends;
     if (const std::size_t bytes = stack_bytes(plan.samples, plan.blends); bytes > 0) check_stack_limit(bytes);

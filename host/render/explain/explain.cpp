@@ -9,6 +9,7 @@
 #include "host/render/explain/cost_model.hpp"
 #include "host/render/explain/earlier_frames.hpp"
 #include "host/render/explain/memory_model.hpp"
+#include "host/render/explain/visibility_note.hpp"
 #include "host/render/frame/channel_passes.hpp"
 #include "host/render/frame/frame_plan.hpp"
 #include "host/render/plan/has_primitives.hpp"
@@ -263,6 +264,7 @@ class Notes {
          costs_.depth_test);
     if (is_forward(plan_.depth_format))
       note("depth buffer", true, fmt::format("{} is asked for", name_of(plan_.depth_format)), costs_.depth_format);
+    if (auto method = visibility_note(plan_, work_)) notes_.push_back(std::move(*method));
   }
 
   void earlier_frames() {

@@ -18,6 +18,7 @@
 #include "morphcl/exr.hpp"
 #include "morphcl/scene.hpp"
 #include "morphcl/timeline.hpp"
+#include "morphcl/visibility.hpp"
 
 namespace morphcl {
 
@@ -84,7 +85,8 @@ struct FramePlan {
   std::vector<EyeLight> lights;
   std::array<float, 3> ambient{};
   CameraConstants camera{};
-  DepthFormat depth_format = DepthFormat::reversed_float;  // of the buffer by which renderers tell what is nearest
+  DepthFormat depth_format = DepthFormat::reversed_float;    // of the buffer by which renderers tell what is nearest
+  VisibilityMethod visibility = VisibilityMethod::z_buffer;  // another one: the reference draws
   bool clips = true;              // false: nothing comes near a clip plane, the clip stage is left out
   bool divides = true;            // false: w is 1 at every vertex, nothing is divided by it
   bool tests_depth = true;        // false: no pixel centre is covered twice, what comes is not compared

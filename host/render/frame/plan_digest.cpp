@@ -101,11 +101,12 @@ void add(Digester& digester, const Draw& draw) {
 }  // namespace
 
 PlanDigest pixel_digest(const FramePlan& plan) {
-  // Left out: whose plan it is, when, and what it spares the renderer. No pixel depends on these.
+  // Left out: whose plan it is, when, what it spares the renderer, and how hidden surfaces are found. No pixel depends
+  // on these.
   const auto& [planner, alone, frame, fps_numerator, fps_denominator, width, height, channels, samples, draws,
-               next_draws, draws_version, lights, ambient, camera, depth_format, clips, divides, tests_depth, blends,
-               keeps_vertices, keeps_blank_tiles, background, eye_to_world, world_to_eye, world_to_ndc, channel_names,
-               manifests] = plan;
+               next_draws, draws_version, lights, ambient, camera, depth_format, visibility, clips, divides,
+               tests_depth, blends, keeps_vertices, keeps_blank_tiles, background, eye_to_world, world_to_eye,
+               world_to_ndc, channel_names, manifests] = plan;
   Digester digester;
   digester.add(FrameKey{width, height, channels.bits(), static_cast<std::uint32_t>(depth_format),
                         static_cast<std::uint32_t>(samples), camera, ambient, count(lights.size()), count(draws.size()),

@@ -251,6 +251,7 @@ ViewVolume Planner::Impl::start(std::int64_t frame, FramePlan& plan) {
   const ViewVolume volume = make_view_volume(camera.projection, plan.width, plan.height, margin);
   add_camera(volume, camera.world_to_eye, plan);
   plan.depth_format = scene.image.depth_format;
+  plan.visibility = scene.image.visibility;
   set_depth_buffer(plan.depth_format, far_distance(camera.projection), plan.camera);
   plan.ambient = to_array(timeline.ambient);
   for (std::size_t i = 0; i < timeline.lights.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "host/render/reference/channel_writer.hpp"
 #include "host/render/reference/resolve.hpp"
 #include "host/render/reference/shade.hpp"
+#include "host/render/reference/surface_visibility.hpp"
 #include "host/thread_count.hpp"
 #include "host/threads.hpp"
 #include "morphcl/renderer.hpp"
@@ -65,6 +67,7 @@ struct Picture {
   const std::vector<RowMemory>& rows;
   const reference::Centres& centres;
   const reference::ChannelWriter& channels;
+  const reference::SurfaceVisibility* method;  // null: the z-buffer
 };
 
 void write_shares(const Picture& picture, const reference::Visibility& visible, int x, int y) {
@@ -79,10 +82,13 @@ void write_shares(const Picture& picture, const reference::Visibility& visible, 
 
 // Of one sample a pixel, the centre. `with_color`: else what is that of the centre alone.
 void draw_centres(const Picture& picture, const Rows& rows, bool with_color, reference::Visibility& visible) {
-  const auto& [plan, grid, vertices, frame, centres, channels] = picture;
+  const auto& [plan, grid, vertices, frame, centres, channels, method] = picture;
   const bool with_channels = !(plan.channels & channels_of_centres).empty(),
              with_shares = plan.samples == 1 && !(plan.channels & channels_of_samples).empty();
-  reference::find_visible(plan, grid, vertices, rows, 1, visible);
+  if (method != nullptr)
+    method->find_visible(rows, visible);
+  else
+    reference::find_visible(plan, grid, vertices, rows, 1, visible);
   for (int y = rows.first; y < plan.height; y += rows.step) {
     const RowMemory& row = frame[static_cast<std::size_t>(y)];
     for (int x = 0; x < plan.width; ++x) {
@@ -102,7 +108,7 @@ void draw_centres(const Picture& picture, const Rows& rows, bool with_color, ref
 
 // Colours, and shares of samples, of several samples a pixel.
 void draw_samples(const Picture& picture, const Rows& rows, reference::Visibility& visible) {
-  const auto& [plan, grid, vertices, frame, centres, channels] = picture;
+  const auto& [plan, grid, vertices, frame, centres, channels, method] = picture;
   const bool with_shares = !(plan.channels & channels_of_samples).empty();
   reference::find_visible(plan, grid, vertices, rows, plan.samples, visible);
   for (int y = rows.first; y < plan.height; y += rows.step)
@@ -141,7 +147,9 @@ class ReferenceRenderer : public Renderer {
     const std::vector<RowMemory> rows = memory_of_rows(frame);
     const reference::Centres centres(plan, vertices, next);
     const reference::ChannelWriter channels(frame);
-    const Picture picture{plan, grid, vertices, rows, centres, channels};
+    std::optional<reference::SurfaceVisibility> method;
+    if (plan.visibility != VisibilityMethod::z_buffer) method.emplace(plan, grid, vertices);
+    const Picture picture{plan, grid, vertices, rows, centres, channels, method ? &*method : nullptr};
     const int threads = std::min(threads_, plan.height);
     // What is kept of layers is bounded by drawing few rows at a time.
     const int parts = plan.blends ? std::min(plan.height, std::max(blended_parts, threads)) : threads;

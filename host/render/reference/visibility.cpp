@@ -8,6 +8,7 @@
 #include "host/render/frame/sample_pattern.hpp"
 #include "host/render/reference/depth_plane.hpp"
 #include "host/render/reference/screen_primitives.hpp"
+#include "host/render/reference/triangle_box.hpp"
 
 namespace morphcl::reference {
 
@@ -40,11 +41,8 @@ class Rasterizer {
       std::swap(b, c);
       area = -area;
     }
-    const int low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
-    const int low_y = std::min({a.y, b.y, c.y}), high_y = std::max({a.y, b.y, c.y});
-    const int first_x = first_pixel(low_x), first_y = first_pixel(low_y);
-    const int last_x = std::min(last_pixel(high_x), plan_.width - 1),
-              last_y = std::min(last_pixel(high_y), plan_.height - 1);
+    const TriangleBox box(plan_, a, b, c, min_sample_, max_sample_);
+    const int first_x = box.first_x, first_y = box.first_y, last_x = box.last_x, last_y = box.last_y;
     const Rows rows = visible_.rows;
     const auto fill = [&](const auto& depth_at) {
       for (int y = rows.next_from(std::max(first_y, 0)); y <= last_y; y += rows.step)
@@ -67,19 +65,12 @@ class Rasterizer {
       });
       return;
     }
-    // Small triangles measure depth from their own box, to samples by way of the pixel's centre; the others from the
-    // tile's pixel that is next to the farthest vertex.
-    const int max_extent = layout::tile * layout::subpixels;
-    const bool small = may_be_small && high_x - low_x < max_extent && high_y - low_y < max_extent &&
-                       last_x - first_x < layout::small_pixels && last_y - first_y < layout::small_pixels;
+    const bool small = may_be_small && box.is_small();
     if (!small) turn_farthest_first(a, b, c);
     const ReversedPlane plane(a, b, c);
     fill([&](int x, int y, SampleOffset sample) {
-      const int tile_x = x / layout::tile * layout::tile, tile_y = y / layout::tile * layout::tile;
-      const int origin_x =
-          small ? first_x : std::clamp(a.x >> layout::subpixel_bits, tile_x, tile_x + layout::tile - 1);
-      const int origin_y =
-          small ? first_y : std::clamp(a.y >> layout::subpixel_bits, tile_y, tile_y + layout::tile - 1);
+      const int origin_x = small ? first_x : origin_in_tile(a.x, x),
+                origin_y = small ? first_y : origin_in_tile(a.y, y);
       if (centre) return plane.at_centre(x, y, origin_x, origin_y);
       return small ? plane.at_sample_of_small(x, y, sample, origin_x, origin_y)
                    : plane.at_sample(x, y, sample, origin_x, origin_y);
@@ -126,8 +117,8 @@ class Rasterizer {
     const int limit = steep ? plan_.height : plan_.width, across_limit = steep ? plan_.width : plan_.height;
     // Of a pixel to the one next to it the line moves by a pixel across at most.
     const auto reach = static_cast<int>(half / layout::subpixels) + 2;
-    const int first = std::max(first_pixel(static_cast<int>(start)), 0),
-              last = std::min(last_pixel(static_cast<int>(stop)), limit - 1);
+    const int first = std::max(TriangleBox::first_pixel(static_cast<int>(start), max_sample_), 0),
+              last = std::min(TriangleBox::last_pixel(static_cast<int>(stop), min_sample_), limit - 1);
     for (int along = first; along <= last; ++along) {
       const std::int64_t centre_offset = pixel_centre(along) - start;
       const std::int64_t numerator = across * run + rise * centre_offset, denominator = run * layout::subpixels;
@@ -154,23 +145,6 @@ class Rasterizer {
     }
   }
 
-  // First and last pixel of which a sample may lie in [low, high] sub-pixels.
-  int first_pixel(int low) const { return (low + layout::subpixels - 1 - max_sample_) >> layout::subpixel_bits; }
-  int last_pixel(int high) const { return (high - min_sample_) >> layout::subpixel_bits; }
-
-  static void turn_farthest_first(ScreenVertex& a, ScreenVertex& b, ScreenVertex& c) {
-    const ScreenVertex first = a, second = b, third = c;
-    if (b.depth < a.depth && b.depth <= c.depth) {
-      a = second;
-      b = third;
-      c = first;
-    } else if (c.depth < a.depth && c.depth < b.depth) {
-      a = third;
-      b = first;
-      c = second;
-    }
-  }
-
   // Samples on an edge belong to the triangle whose top or left edge it is.
   static bool inside(const ScreenVertex& from, const ScreenVertex& to, int x, int y) {
     const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
@@ -193,14 +167,6 @@ class Rasterizer {
   std::span<const SampleOffset> pattern_;
   int min_sample_ = layout::half_pixel, max_sample_ = layout::half_pixel;  // sub-pixels from the pixel's upper left
 };
-
-// In front of the other, or as far.
-bool is_nearer(const FramePlan& plan, const Sample& a, const Sample& b) {
-  return is_forward(plan.depth_format) ? a.key > b.key : a.depth > b.depth;
-}
-bool is_as_far(const FramePlan& plan, const Sample& a, const Sample& b) {
-  return is_forward(plan.depth_format) ? a.key == b.key : a.depth == b.depth;
-}
 
 // Of the opaque draws, or of the blended ones.
 template <class Cover>
@@ -235,22 +201,65 @@ void cover_samples(const FramePlan& plan, const RasterGrid& grid, const std::vec
   for_each_screen_primitive(plan, grid, vertices, DrawnPrimitives<Cover>{plan, blended, visible, rasterizer});
 }
 
+// Lines alone, of the opaque draws or of the blended ones.
+template <class Cover>
+struct DrawnLines {
+  DrawnPrimitives<Cover> drawn;
+
+  void triangle(const ScreenTriangle& /*t*/, const PrimitiveIdentity& /*identity*/) {}
+  void line(const ScreenLine& line, const PrimitiveIdentity& identity) { drawn.line(line, identity); }
+};
+
+template <class Cover>
+void cover_samples_by_lines(const FramePlan& plan, const RasterGrid& grid,
+                            const std::vector<std::vector<Vertex>>& vertices, bool blended, Visibility& visible,
+                            Cover cover) {
+  const Rasterizer<Cover> rasterizer(plan, visible, cover);
+  for_each_screen_primitive(plan, grid, vertices, DrawnLines<Cover>{{plan, blended, visible, rasterizer}});
+}
+
+// Takes what comes to a sample into the picture.
+auto nearest_of(const FramePlan& plan, Visibility& visible) {
+  return [&plan, &visible](std::size_t index, const Sample& covered) {
+    Sample& held = visible.samples[index];
+    if (is_nearer(plan, covered, held) || (is_as_far(plan, covered, held) && covered.order < held.order))
+      held = covered;
+  };
+}
+
+auto layers_in_front(const FramePlan& plan, Visibility& visible) {
+  return [&plan, &visible](std::size_t index, const Sample& covered) {
+    if (is_layer_in_front(plan, covered, visible.samples[index])) visible.layers.push_back({index, covered});
+  };
+}
+
+}  // namespace
+
 void find_layers(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
                  Visibility& visible) {
-  cover_samples(plan, grid, vertices, true, visible, [&](std::size_t index, const Sample& covered) {
-    const Sample& opaque = visible.samples[index];
-    const bool later = opaque.order == no_order || covered.order > opaque.order;
-    if (is_nearer(plan, covered, opaque) || (is_as_far(plan, covered, opaque) && later))
-      visible.layers.push_back({index, covered});
-  });
+  cover_samples(plan, grid, vertices, true, visible, layers_in_front(plan, visible));
+  sort_layers(plan, visible);
+}
+
+void add_lines(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+               Visibility& visible) {
+  cover_samples_by_lines(plan, grid, vertices, false, visible, nearest_of(plan, visible));
+}
+
+void add_layers_of_lines(const FramePlan& plan, const RasterGrid& grid,
+                         const std::vector<std::vector<Vertex>>& vertices, Visibility& visible) {
+  const std::size_t before = visible.layers.size();
+  cover_samples_by_lines(plan, grid, vertices, true, visible, layers_in_front(plan, visible));
+  if (visible.layers.size() != before) sort_layers(plan, visible);
+}
+
+void sort_layers(const FramePlan& plan, Visibility& visible) {
   std::sort(visible.layers.begin(), visible.layers.end(), [&](const Layer& a, const Layer& b) {
     if (a.index != b.index) return a.index < b.index;
     if (!is_as_far(plan, a.surface, b.surface)) return is_nearer(plan, a.surface, b.surface);
     return a.surface.order > b.surface.order;
   });
 }
-
-}  // namespace
 
 std::span<const Layer> Visibility::layers_of(std::size_t sample) const {
   const auto [first, end] = std::ranges::equal_range(layers, sample, {}, &Layer::index);
@@ -264,8 +273,7 @@ Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
   return visible;
 }
 
-void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
-                  const Rows& rows, int samples_a_pixel, Visibility& visible) {
+void clear(const FramePlan& plan, const Rows& rows, int samples_a_pixel, Visibility& visible) {
   visible.rows = rows;
   visible.width = plan.width;
   visible.samples_a_pixel = samples_a_pixel;
@@ -274,11 +282,12 @@ void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vect
   visible.samples.assign(static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(rows.count(plan.height)) *
                              static_cast<std::size_t>(samples_a_pixel),
                          {plan.camera.far_depth, 0, no_order, 0, 0, no_piece});
-  cover_samples(plan, grid, vertices, false, visible, [&](std::size_t index, const Sample& covered) {
-    Sample& held = visible.samples[index];
-    if (is_nearer(plan, covered, held) || (is_as_far(plan, covered, held) && covered.order < held.order))
-      held = covered;
-  });
+}
+
+void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+                  const Rows& rows, int samples_a_pixel, Visibility& visible) {
+  clear(plan, rows, samples_a_pixel, visible);
+  cover_samples(plan, grid, vertices, false, visible, nearest_of(plan, visible));
   if (plan.blends) find_layers(plan, grid, vertices, visible);
 }
 

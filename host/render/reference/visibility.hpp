@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "host/render/frame/depth_buffer.hpp"
 #include "host/render/frame/scene_vertices.hpp"
 
 namespace morphcl::reference {
@@ -64,9 +65,35 @@ struct Visibility {
   }
 };
 
+// In front of the other, or as far, as the depth buffer has it.
+inline bool is_nearer(const FramePlan& plan, const Sample& a, const Sample& b) {
+  return is_forward(plan.depth_format) ? a.key > b.key : a.depth > b.depth;
+}
+inline bool is_as_far(const FramePlan& plan, const Sample& a, const Sample& b) {
+  return is_forward(plan.depth_format) ? a.key == b.key : a.depth == b.depth;
+}
+// Of a blended draw, at a sample that shows this opaque surface, or the background.
+inline bool is_layer_in_front(const FramePlan& plan, const Sample& blended, const Sample& opaque) {
+  const bool later = opaque.order == no_order || blended.order > opaque.order;
+  return is_nearer(plan, blended, opaque) || (is_as_far(plan, blended, opaque) && later);
+}
+
 // Replaces `visible`, whose memory is used again: touching as much anew for each frame takes about a fifth of its time.
 void find_visible(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
                   const Rows& rows, int samples_a_pixel, Visibility& visible);
+
+// Its parts, for other ways to find what samples show (surface_visibility.hpp). The background everywhere:
+void clear(const FramePlan& plan, const Rows& rows, int samples_a_pixel, Visibility& visible);
+// Blended draws in front of what is opaque, in their order:
+void find_layers(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+                 Visibility& visible);
+void sort_layers(const FramePlan& plan, Visibility& visible);
+// Lines among what is there, opaque ones and then blended ones:
+void add_lines(const FramePlan& plan, const RasterGrid& grid, const std::vector<std::vector<Vertex>>& vertices,
+               Visibility& visible);
+void add_layers_of_lines(const FramePlan& plan, const RasterGrid& grid,
+                         const std::vector<std::vector<Vertex>>& vertices, Visibility& visible);
+
 // At the centre of every pixel.
 Visibility find_visible(const FramePlan& plan, const RasterGrid& grid,
                         const std::vector<std::vector<Vertex>>& vertices);

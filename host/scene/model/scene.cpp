@@ -47,6 +47,9 @@ void check_image(const ImageSettings& image) {
   if (image.background) check_background(*image.background);
   if (std::ranges::find(sample_counts, image.samples) == sample_counts.end())
     fail(fmt::format("{} samples a pixel; 1, 2, 4, 8 or 16 are possible", image.samples));
+  if (std::ranges::find(visibility_methods, image.visibility) == visibility_methods.end())
+    fail(fmt::format("there is no visibility method {}", static_cast<int>(image.visibility)));
+  check_visibility(image);
   check_errors(image);
 }
 constexpr int last_shading = static_cast<int>(Shading::wireframe);
@@ -143,6 +146,13 @@ void validate(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) validate(mesh);
   validate(scene.timeline);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) check_object(scene, i);
+}
+
+void check_visibility(const ImageSettings& image) {
+  if (image.visibility != VisibilityMethod::z_buffer && image.samples > 1)
+    throw Error(ErrorKind::usage, "",
+                fmt::format("visibility {} takes one sample a pixel, not {}; ask for samples 1, or for z-buffer",
+                            name_of(image.visibility), image.samples));
 }
 
 }  // namespace morphcl

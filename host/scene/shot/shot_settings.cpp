@@ -103,6 +103,19 @@ DepthFormat read_depth_format(const ShotValue& value) {
   value.fail(fmt::format("unknown depth_buffer \"{}\"{}", name, suggestion(name, names)));
 }
 
+VisibilityMethod read_visibility(const ShotValue& value, ImageSettings image) {
+  const std::string& name = value.text();
+  const auto method = visibility_method_named(name);
+  if (!method) {
+    std::vector<std::string_view> names;
+    for (const VisibilityMethod known : visibility_methods) names.push_back(name_of(known));
+    value.fail(fmt::format("unknown visibility \"{}\"{}", name, suggestion(name, names)));
+  }
+  image.visibility = *method;
+  placed_at(value, [&] { return check_visibility(image), 0; });
+  return *method;
+}
+
 bool is_colors(const ShotValue& value) {
   return value.is_array() && value.size() == 2 && !value[0].is_number() && !value[1].is_number();
 }
@@ -174,7 +187,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
   ImageSettings settings;
   if (!image) return settings;
   const ShotTable table = image->table({"size", "channels", "channel_names", "samples", "compression", "depth_buffer",
-                                        "background", "z_error", "p_error", "n_error"});
+                                        "background", "z_error", "p_error", "n_error", "visibility"});
   if (const auto size = table.find("size")) {
     refuse_size_text(*size);
     if (!size->is_array() || size->size() != 2) size->fail("size must be two integers: [width, height] in pixels");
@@ -195,6 +208,7 @@ ImageSettings read_image_settings(const std::optional<ShotValue>& image) {
     settings.p_error = read_channel_error(*error, Channel::position, settings);
   if (const auto error = table.find("n_error"))
     settings.n_error = read_channel_error(*error, Channel::normal, settings);
+  if (const auto method = table.find("visibility")) settings.visibility = read_visibility(*method, settings);
   return settings;
 }
 
