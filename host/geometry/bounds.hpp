@@ -3,35 +3,18 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <limits>
 #include <vector>
 
+#include "morphcl/geometry.hpp"
 #include "morphcl/mesh.hpp"
 
 namespace morphcl {
-
-// All x with lower <= x <= upper, componentwise. The default box is empty.
-struct Box {
-  glm::dvec3 lower{std::numeric_limits<double>::infinity()};
-  glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
-
-  bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
-  bool contains(const glm::dvec3& point) const;
-  glm::dvec3 center() const { return 0.5 * lower + 0.5 * upper; }  // of a box that is not empty
-  glm::dvec3 corner(int i) const;  // i = 0..7: bit 0 takes upper.x, bit 1 upper.y, bit 2 upper.z
-  void include(const glm::dvec3& point);
-  void include(const Box& other);
-};
 
 Box intersection(const Box& a, const Box& b);
 Box box_of(const std::vector<glm::vec3>& points);
 // Contains the image of every point of `box` under the affine `matrix`; empty for an empty box.
 Box transformed(const Box& box, const glm::dmat4& matrix);
 
-struct Sphere {
-  glm::dvec3 center{0.0};
-  double radius = 0;
-};
 // Around the box: its centre, half its diagonal. A box that is not empty.
 Sphere sphere_of(const Box& box);
 

@@ -20,6 +20,7 @@
 #include "morphcl/explain.hpp"
 #include "morphcl/exr.hpp"
 #include "morphcl/frame.hpp"
+#include "morphcl/geometry.hpp"
 #include "morphcl/hidden_surfaces.hpp"
 #include "morphcl/job.hpp"
 #include "morphcl/mesh.hpp"

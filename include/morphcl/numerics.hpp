@@ -153,7 +153,8 @@ void round_mantissas(std::span<float> values, int bits, float kept = 0);
 //
 // Method: Shewchuk (1997). A floating-point evaluation decides where it is further from 0 than its error bound;
 // otherwise all products are formed without rounding and summed as an expansion, whose leading component has the sign
-// of the sum. Barring overflow and underflow: coordinates are finite, and 0 or of a size between 1e-90 and 1e90.
+// of the sum; where a product might overflow or underflow, beyond 1e90 or below 1e-90, as an integer of any length.
+// Error(usage) for a coordinate that is not finite.
 
 // 1: counter-clockwise, c lies to the left of the line from a to b; -1: to the right; 0: exactly on it.
 int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
