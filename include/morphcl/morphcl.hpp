@@ -14,6 +14,7 @@
 #include "morphcl/batch.hpp"
 #include "morphcl/camera.hpp"
 #include "morphcl/channel.hpp"
+#include "morphcl/collision.hpp"
 #include "morphcl/convention.hpp"
 #include "morphcl/depth_format.hpp"
 #include "morphcl/error.hpp"

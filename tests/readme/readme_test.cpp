@@ -26,6 +26,11 @@ TEST(Readme, ItsProgramIsTheOneThatIsBuiltAndRun) {
   EXPECT_EQ(readme.substr(begin, end - begin), text_of(root / "demos/first_program.cpp"));
 }
 
+TEST(Geometry, ItsProgramIsTheOneThatIsBuiltAndRun) {
+  const std::string page = text_of(root / "docs/geometry.md");
+  EXPECT_NE(page.find("```cpp\n" + text_of(root / "demos/geometry_program.cpp") + "```"), std::string::npos);
+}
+
 TEST(Readme, IsShortAndSoIsItsProgram) {
   EXPECT_LT(lines(text_of(root / "README.md")), 150);
   EXPECT_LT(lines(text_of(root / "demos/first_program.cpp")), 40);
