@@ -1,4 +1,4 @@
-// The geometry kit: boxes, spheres and lines against one another; with orientation() and place_in_polygon() of
+// The geometry kit: boxes, spheres, lines, segments and planes; with orientation() and place_in_polygon() of
 // numerics.hpp.
 //
 // Every decision is exact for the numbers given, of any size: a floating-point evaluation decides where it is further
@@ -83,6 +83,13 @@ struct Segment3 {
   glm::dvec3 from{0.0}, to{0.0};
 };
 
+// What a segment has in common with something, from the point nearest to its `from` to the one nearest to its `to`; of
+// one point, both are equal. Not to be read where it is apart.
+struct Intersection3 {
+  Contact contact = Contact::apart;
+  glm::dvec3 from{0.0}, to{0.0};
+};
+
 // The line through both ends. tangent: touching. It enters the sphere at from + enter (to - from) and leaves it at
 // `leave`, each within 8u relative; barring underflow and overflow.
 struct LineSphere {
@@ -92,6 +99,21 @@ struct LineSphere {
 
 // Error(usage) for a line whose ends are equal.
 LineSphere intersect_line(const Segment3& line, const Sphere& sphere);
+
+// All x with normal . x = offset; the normal needs no unit length.
+struct Plane {
+  glm::dvec3 normal{0.0, 0.0, 1.0};
+  double offset = 0;
+};
+
+// 1: on the side that the normal points to, -1: on the other, 0: in the plane. Error(usage) for a normal of 0.
+int side_of_plane(const Plane& plane, const glm::dvec3& point);
+
+// A segment in the plane touches it all along; one with an end in it touches it there.
+Intersection3 intersect(const Segment3& segment, const Plane& plane);
+
+// crossing: some of it is inside the box. Boxes are finite; of an empty one: apart.
+Intersection3 intersect(const Segment3& segment, const Box& box);
 
 }  // namespace morphcl
 #pragma GCC visibility pop
