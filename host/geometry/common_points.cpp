@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
 #include "host/geometry/exact_space.hpp"
 #include "host/geometry/triangle_contact.hpp"
@@ -83,8 +84,13 @@ std::vector<glm::dvec3> common_points(const Triangle& a, const Triangle& b) {
   add_piercings(points, b, a);
   add_edge_crossings(points, a, b);
   if (points.size() < 3) return points;
-  const auto axis = projection_axis(a[0], a[1], a[2]);
-  return convex_hull(points, axis.value_or(0));
+  auto axis = projection_axis(a[0], a[1], a[2]);
+  if (!axis) axis = projection_axis(b[0], b[1], b[2]);
+  if (axis) return convex_hull(points, *axis);
+  const auto [first, last] = std::minmax_element(points.begin(), points.end(), [](const auto& p, const auto& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  });
+  return {*first, *last};  // all on one line
 }
 
 }  // namespace morphcl

@@ -1,4 +1,4 @@
-// Collision: triangles against triangles, points against meshes, and meshes against one another, exactly.
+// Collision: triangles against triangles, segments and points against meshes, and meshes against one another, exactly.
 //
 // As in geometry.hpp: decisions are exact for the numbers given, computed points have the doubles nearest to the exact
 // coordinates. Error(usage) for a coordinate that is not finite.
@@ -66,6 +66,14 @@ class MeshTree {
   std::vector<glm::dvec3> part_corners_;
   bool closed_ = true;
 };
+
+struct MeshHit {
+  std::uint32_t triangle = 0;
+  Intersection3 at;  // crossing: through the triangle, off its edges, from one side to the other
+};
+
+// Every triangle that the segment meets, by the distance of at.from from segment.from, then by index.
+std::vector<MeshHit> intersect(const Segment3& segment, const MeshTree& mesh);
 
 // boundary: on a triangle. inside: where the mesh winds around the point other than 0 times, whichever way its
 // triangles face. Of a mesh of no triangles: outside. Error(usage) for a mesh that is not closed, which has no inside.

@@ -151,6 +151,9 @@ TEST(TriangleContact, OfTrianglesWithoutArea) {
   EXPECT_EQ(contact(segment({0, 0, 0}, {1, 1, 1}), segment({2, 2, 2}, {4, 4, 4})), Contact::apart);
   EXPECT_THAT(common_points(segment({0, 0, 0}, {4, 4, 4}), segment({0, 4, 4}, {4, 0, 0})),
               UnorderedElementsAre(glm::dvec3(2, 2, 2)));
+  const Triangle along = {glm::dvec3(0, 0, 0), {4, 0, 0}, {2, 0, 0}},
+                 further = {glm::dvec3(1, 0, 0), {3, 0, 0}, {9, 0, 0}};
+  EXPECT_THAT(common_points(along, further), UnorderedElementsAre(glm::dvec3(1, 0, 0), glm::dvec3(4, 0, 0)));
   EXPECT_THROW(contact(flat, {glm::dvec3(0, 0, double_nan), {1, 0, 0}, {0, 1, 0}}), Error);
 }
 
@@ -196,6 +199,49 @@ PointPlace exact_place(const MeshTree& mesh, const glm::dvec3& point) {
     if (p > 0 && q > 0 && r > 0) inside = !inside;
   }
   return inside ? PointPlace::inside : PointPlace::outside;
+}
+
+// By clipping, as triangles above: a segment is a triangle without area.
+TEST(SegmentInMesh, AgainstRationals) {
+  Random random(13);
+  std::array<int, 3> seen{};
+  for (const Family family : families)
+    for (int i = 0; i < cases(family) / 50; ++i) {
+      std::vector<glm::dvec3> positions;
+      std::vector<glm::uvec3> triangles;
+      for (std::uint32_t k = 0; k < 8; ++k) {
+        const Triangle triangle = any_triangle(random, family);
+        if (!has_area(triangle)) continue;
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        positions.insert(positions.end(), triangle.begin(), triangle.end());
+        triangles.emplace_back(first, first + 1, first + 2);
+      }
+      const MeshTree mesh(positions, triangles);
+      const Segment3 segment{point3(random, family), point3(random, family)};
+      const std::vector<MeshHit> hits = intersect(segment, mesh);
+      for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+        const std::vector<RationalVector> common =
+            exact_common({segment.from, segment.to, segment.to}, mesh.triangle(k));
+        const RationalVector normal = normal_of(mesh.triangle(k)), corner = rational(mesh.triangle(k)[0]);
+        const int sides =
+            sign_of(dot(normal, rational(segment.from) - corner)) * sign_of(dot(normal, rational(segment.to) - corner));
+        const bool through = sides < 0 && !common.empty() && is_within(common[0], mesh.triangle(k));
+        const Contact expected = common.empty() ? Contact::apart : through ? Contact::crossing : Contact::touching;
+        ++seen[static_cast<std::size_t>(expected)];
+        const auto hit =
+            std::find_if(hits.begin(), hits.end(), [k](const MeshHit& each) { return each.triangle == k; });
+        ASSERT_EQ(hit == hits.end() ? Contact::apart : hit->at.contact, expected);
+        if (hit == hits.end() || family == Family::any_size) continue;
+        for (const glm::dvec3& point : {hit->at.from, hit->at.to})
+          ASSERT_TRUE(
+              std::any_of(common.begin(), common.end(), [&](const auto& at) { return is_nearest_point(point, at); }));
+      }
+    }
+  for (const int count : seen) EXPECT_GT(count, 10);
+  const MeshTree cube(make_solid("cube"));
+  EXPECT_THROW(intersect(Segment3{{0, 0, double_nan}, {1, 1, 1}}, cube), Error);
+  EXPECT_THAT(intersect(Segment3{{1e9, 0, 0}, {1e9, 1, 0}}, cube), IsEmpty());
+  EXPECT_THAT(intersect(Segment3{}, MeshTree(std::vector<glm::dvec3>{}, {})), IsEmpty());
 }
 
 TEST(PointInMesh, AgainstRationals) {
