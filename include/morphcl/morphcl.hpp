@@ -36,6 +36,7 @@
 #include "morphcl/session.hpp"
 #include "morphcl/solids.hpp"
 #include "morphcl/timeline.hpp"
+#include "morphcl/trace.hpp"
 #include "morphcl/track.hpp"
 #include "morphcl/transform.hpp"
 #include "morphcl/transform_2d.hpp"
