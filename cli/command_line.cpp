@@ -16,6 +16,7 @@
 #include "cli/info_command.hpp"
 #include "cli/plan_command.hpp"
 #include "cli/render_command.hpp"
+#include "cli/trace_command.hpp"
 #include "cli/usage_words.hpp"
 #include "cli/warm_command.hpp"
 #include "morphcl/error.hpp"
@@ -199,6 +200,61 @@ void add_plan(CLI::App& app, PlanOptions& options, Action& action) {
   command.callback([&] { action = [&] { return plan_command(options); }; });
 }
 
+void add_trace_output(CLI::App& command, TraceOptions& options) {
+  const auto convention = [&command](const char* name, std::string& value, const char* help, const char* one,
+                                     const char* other) {
+    command.add_option(name, value, help)
+        ->check(CLI::IsMember({one, other}))
+        ->type_name(fmt::format("{}|{}", one, other))
+        ->group("Convention");
+  };
+  convention("--vectors", options.vectors, "column (default): p' = M p; row: p' = p M, matrices transposed", "column",
+             "row");
+  convention("--handedness", options.handedness,
+             "right (default): the eye looks along -z; left: along +z, every z of object, world and eye space negated",
+             "right", "left");
+  convention("--ndc-depth", options.depth, "NDC depth from near to far: -1 to 1 (default), or 0 to 1",
+             "minus_one_to_one", "zero_to_one");
+  CLI::Option* const latex =
+      command.add_flag("--latex", options.latex, "A LaTeX document on stdout (pdflatex, amsmath)")->group("Report");
+  command.add_flag("--json", options.json, "One JSON object a line on stdout")->group("Report")->excludes(latex);
+}
+
+void add_trace(CLI::App& app, TraceOptions& options, Action& action) {
+  CLI::App& command = *app.add_subcommand("trace", "Show each step of a point from object to pixel, with its matrices");
+  add_scene_options(command, options.scene)->required();
+  command.add_option("--frame", options.frame, "Frame number; default: the first of the shot's range")
+      ->type_name("N")
+      ->group("Time");
+  command.add_option("--object", options.object, "Its name (morphcl info lists them); default: the first")
+      ->type_name("NAME")
+      ->group("Point");
+  CLI::Option* const vertex =
+      command.add_option("--vertex", options.vertex, "Of the object's mesh, counted from 0; default: 0")
+          ->type_name("N")
+          ->group("Point");
+  CLI::Option* const point =
+      command.add_option("--point", options.point, "Any point in the object's space instead, as the shot has it")
+          ->type_name("X,Y,Z")
+          ->group("Point")
+          ->excludes(vertex);
+  CLI::Option* const object = command.get_option("--object");
+  command
+      .add_option("--pixel", options.pixel,
+                  "Back from a pixel, counted from the upper left: the ray, what it hits, weights before and after "
+                  "perspective correction, then what is hit forwards again")
+      ->type_name("X,Y")
+      ->group("Point")
+      ->excludes(vertex, point, object);
+  add_trace_output(command, options);
+  command.footer(
+      examples_of("trace") +
+      "\n\nobject -> world -> eye -> clip -> NDC -> viewport -> pixel: the matrix of each step, its inverse, the "
+      "composite so\nfar, the point before and after, what fp32 makes of it, and the bound of its error "
+      "(docs/trace.md).");
+  command.callback([&] { action = [&] { return trace_command(options); }; });
+}
+
 void add_compare(CLI::App& app, CompareOptions& options, Action& action) {
   CLI::App& command =
       *app.add_subcommand("compare", "Compare frames with an fp64 render of themselves: what differs, and why");
@@ -311,6 +367,7 @@ int report_parse_error(CLI::App& app, const CLI::ParseError& error) {
 int parse_and_run(int argc, char** argv) {
   RenderOptions render;
   PlanOptions plan;
+  TraceOptions trace;
   CompareOptions compare;
   InfoOptions info;
   DevicesOptions devices;
@@ -323,6 +380,7 @@ int parse_and_run(int argc, char** argv) {
   app.footer(examples_of("morphcl") + "\n\n" + exit_codes);
   add_render(app, render, action);
   add_plan(app, plan, action);
+  add_trace(app, trace, action);
   add_compare(app, compare, action);
   add_info(app, info, action);
   add_devices(app, devices, action);

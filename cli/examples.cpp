@@ -11,7 +11,7 @@ struct Examples {
   std::string_view command, lines;
 };
 
-constexpr std::array<Examples, 8> all_examples{{
+constexpr std::array<Examples, 9> all_examples{{
     {"morphcl", R"(
   morphcl render demos/pyramid_to_cube.toml --frames 0-100x25 --size 640x360 -o out/cube.####.exr
   morphcl plan demos/pyramid_to_cube.toml --frame 57
@@ -26,6 +26,11 @@ constexpr std::array<Examples, 8> all_examples{{
   morphcl plan demos/pyramid_to_cube.toml --frame 57
   morphcl plan demos/teapots.toml --channels RGBA --json
   morphcl plan demos/solids.toml --frame 40 --size 320x180 --visibility warnock --explain out/warnock)"},
+    {"trace", R"(
+  morphcl trace demos/pyramid_to_cube.toml --frame 37 --vertex 4
+  morphcl trace demos/teapots.toml --vectors row --handedness left --ndc-depth zero_to_one
+  morphcl trace demos/pyramid_to_cube.toml --frame 50 --size 640x360 --pixel 320,180
+  morphcl trace demos/pyramid_to_cube.toml --latex)"},
     {"compare", R"(
   morphcl compare demos/pyramid_to_cube.toml --frames 0-100x50 --size 320x180
   morphcl compare demos/pyramid_to_cube.toml --frame 10 --size 320x180 --truth grid --out out/error

@@ -50,8 +50,8 @@ struct TraceStep {
   std::optional<glm::dmat4> inverse = {};  // none where the step has none
   glm::dmat4 composite{1.0};               // of all steps from object space on, this one included
   TracePoint point = {};                   // after it
-  // Of rotate_about_axis: the seven steps that it is made of (transform.hpp), each with its own composite and point;
-  // empty where these have no answer, for an axis parallel to x.
+  // The steps that it is made of, each with its own composite and point; empty where it is one by itself, as all are
+  // today.
   std::vector<TraceStep> parts = {};
 };
 

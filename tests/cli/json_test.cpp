@@ -89,6 +89,13 @@ TEST_F(JsonFields, AreThoseOfTheDocumentation) {
   read({"render", "shot.toml", "-o", "f.####.png", "--device", "reference", "--json"});
   read({"plan", "shot.toml", "--json"});
   read({"plan", "shot.toml", "--visibility", "painter", "--explain", "explained", "--json"});
+  plant("morph.toml", replaced(cube_shot(), "mesh = \"cube\"", "mesh = \"pyramid_to_cube\""));
+  read({"trace", "morph.toml", "--json"});
+  plant("plan.toml",
+        replaced(replaced(replaced(cube_shot(), "\"perspective\"", "\"orthographic\""), "fovy_degrees = 45.0\n", ""),
+                 "[3.0, 2.4, 5.1]", "[0.0, 0.0, 5.0]"));
+  read({"trace", "plan.toml", "--json"});
+  read({"trace", "shot.toml", "--pixel", "16,9", "--json"});
   read({"compare", "shot.toml", "--frames", "0", "--device", "reference", "--json"});
   read({"compare", "shot.toml", "--frames", "0", "--truth", "coverage", "--json"});
   read({"devices", "--json"});

@@ -138,7 +138,7 @@ std::vector<std::string> examples_in(const std::string& help) {
 TEST_F(Usage, TheExamplesOfEveryHelpWork) {
   std::filesystem::create_directory_symlink(MORPHCL_SOURCE_DIR "/demos", folder_ / "demos");
   const std::string search = std::filesystem::path(MORPHCL_TOOL).parent_path().string() + ":" + std::getenv("PATH");
-  for (const char* command : {"", "render", "plan", "compare", "info", "devices", "warm", "accuracy"}) {
+  for (const char* command : {"", "render", "plan", "trace", "compare", "info", "devices", "warm", "accuracy"}) {
     const std::vector<std::string> examples =
         examples_in(*command ? run_tool({command, "--help"}).out : run_tool({"--help"}).out);
     EXPECT_GE(examples.size(), 2u) << command;
