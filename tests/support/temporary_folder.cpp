@@ -51,10 +51,17 @@ std::set<std::string> TemporaryFolder::names() const {
 }
 
 std::set<std::string> TemporaryFolder::files() const {
-  std::set<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(path_))
-    if (!entry.is_directory()) found.insert(entry.path().lexically_relative(path_).string());
-  return found;
+  constexpr int tries = 100;
+  for (int failed = 0;;) {
+    std::set<std::string> found;
+    try {
+      for (const auto& entry : fs::recursive_directory_iterator(path_))
+        if (!entry.is_directory()) found.insert(entry.path().lexically_relative(path_).string());
+      return found;
+    } catch (const fs::filesystem_error&) {  // a program that runs removed the folder that the walk was in
+      if (++failed == tries) throw;
+    }
+  }
 }
 
 std::vector<char> bytes_of(const fs::path& file) {
