@@ -53,7 +53,7 @@ inline glm::dvec3 transform_point(const glm::dmat4& m, const glm::dvec3& p) {
 }
 
 template <typename Action>
-void expect_error(Action action, ErrorKind kind, const std::string& part) {
+void expect_error(const Action& action, ErrorKind kind, const std::string& part) {
   try {
     action();
     ADD_FAILURE() << "no error; expected one with \"" << part << "\"";
