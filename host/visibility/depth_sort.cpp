@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <limits>
-#include <optional>
 
 #include "host/visibility/overlap_grid.hpp"
 #include "morphcl/error.hpp"
@@ -21,7 +20,7 @@ class DepthSorter {
         surfaces_(pieces.surfaces()),
         max_pieces_(max_pieces),
         grid_(surfaces_.width, surfaces_.height) {
-    for (SurfaceId id = 0; id < surfaces_.count(); ++id) add(pieces_.whole(id));
+    for (SurfaceId id = 0; id < surfaces_.count(); ++id) add(pieces_.whole(id), no_item);
     for (std::uint32_t i = 0; i < items_.size(); ++i) by_farthest_.push_back(i);
     std::stable_sort(by_farthest_.begin(), by_farthest_.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return items_[a].piece.min < items_[b].piece.min; });
@@ -30,10 +29,17 @@ class DepthSorter {
   }
 
   DepthSort sort() {
-    for (const std::uint32_t i : by_farthest_)
-      while (const std::optional<std::uint32_t> leaf = waiting_leaf(i)) {
-        push(*leaf);
-        while (!stack_.empty()) advance();
+    std::vector<std::uint32_t> left;  // of a surface, the next one last
+    for (const std::uint32_t surface : by_farthest_)
+      for (left.push_back(surface); !left.empty();) {
+        const std::uint32_t i = left.back();
+        if (items_[i].state == State::waiting) {
+          push(i);
+          while (!stack_.empty()) advance();
+          continue;
+        }
+        left.pop_back();
+        if (items_[i].state == State::split) left.insert(left.end(), {items_[i].parts[1], items_[i].parts[0]});
       }
     result_.back_to_front.reserve(order_.size());
     for (const std::uint32_t i : order_) result_.back_to_front.push_back(std::move(items_[i].piece));
@@ -41,31 +47,34 @@ class DepthSorter {
   }
 
  private:
-  enum class State : std::uint8_t { waiting, on_stack, painted, split };
+  static constexpr std::uint32_t no_item = std::numeric_limits<std::uint32_t>::max();
+
+  enum class State : std::uint8_t { waiting, on_stack, painted, split };  // split: its parts are not both painted
   struct Item {
     Piece piece;
+    std::uint32_t whole = no_item;  // that it is a part of
     State state = State::waiting;
     bool asked = false;                     // candidates are known
     std::uint32_t parts[2] = {};            // where split
     std::vector<std::uint32_t> candidates;  // what it may hide and has not been compared with; taken from the last on
   };
 
-  std::uint32_t add(Piece piece) {
-    items_.emplace_back().piece = std::move(piece);
+  std::uint32_t add(Piece piece, std::uint32_t whole) {
+    Item& item = items_.emplace_back();
+    item.piece = std::move(piece);
+    item.whole = whole;
     return static_cast<std::uint32_t>(items_.size() - 1);
   }
 
-  bool is_done(std::uint32_t i) {
-    Item& item = items_[i];
-    if (item.state == State::split && is_done(item.parts[0]) && is_done(item.parts[1])) item.state = State::painted;
-    return item.state == State::painted;
-  }
+  bool is_painted(std::uint32_t i) const { return items_[i].state == State::painted; }
 
-  std::optional<std::uint32_t> waiting_leaf(std::uint32_t i) {
-    if (items_[i].state == State::waiting) return i;
-    if (is_done(i) || items_[i].state != State::split) return std::nullopt;
-    if (const auto leaf = waiting_leaf(items_[i].parts[0])) return leaf;
-    return waiting_leaf(items_[i].parts[1]);
+  // And what it is the last part of.
+  void set_painted(std::uint32_t i) {
+    items_[i].state = State::painted;
+    for (std::uint32_t whole = items_[i].whole; whole != no_item; whole = items_[whole].whole) {
+      if (!is_painted(items_[whole].parts[0]) || !is_painted(items_[whole].parts[1])) return;
+      items_[whole].state = State::painted;
+    }
   }
 
   void push(std::uint32_t i) {
@@ -77,9 +86,9 @@ class DepthSorter {
     const Piece& piece = items_[i].piece;
     if (!piece.box.empty())
       grid_.for_each_meeting(
-          piece.box, piece.max, [&](std::uint32_t other) { return is_done(other); },
+          piece.box, piece.max, [&](std::uint32_t other) { return is_painted(other); },
           [&](std::uint32_t other) {
-            if (items_[other].piece.surface != piece.surface && !is_done(other)) candidates.push_back(other);
+            if (items_[other].piece.surface != piece.surface && !is_painted(other)) candidates.push_back(other);
           });
     items_[i].candidates = std::move(candidates);
   }
@@ -88,8 +97,8 @@ class DepthSorter {
     const std::uint32_t p = stack_.back();
     std::vector<std::uint32_t>& candidates = items_[p].candidates;
     if (candidates.empty()) {
-      items_[p].state = State::painted;
       std::vector<std::uint32_t>().swap(candidates);
+      set_painted(p);
       order_.push_back(p);
       stack_.pop_back();
       return;
@@ -215,7 +224,7 @@ class DepthSorter {
         items_[stack_.back()].state = State::waiting;
       }
     auto [front, back] = pieces_.split(items_[i].piece, {.plane = plane});
-    const std::uint32_t first = add(std::move(back)), second = add(std::move(front));
+    const std::uint32_t first = add(std::move(back), i), second = add(std::move(front), i);
     Item& whole = items_[i];
     whole.state = State::split;
     whole.parts[0] = first;
